@@ -1,0 +1,2 @@
+//! The program `delone`.
+fn main() {}
