@@ -1,1 +1,140 @@
-//! probe.
+//! What an algorithm did, told as it happens: events, and the counters that tally them.
+//!
+//! Every algorithm takes `&mut impl Probe` as its last argument and reports through it. The unit type is the probe that
+//! costs nothing; [`Counts`] tallies; a recorder for step-by-step pictures is the caller's to write.
+//!
+//! ```
+//! use delone_probe::{Counts, Event, Probe};
+//!
+//! fn walk(steps: usize, probe: &mut impl Probe) {
+//!     (0..steps).for_each(|_| probe.on(Event::WalkStep));
+//! }
+//!
+//! let mut counts = Counts::default();
+//! walk(3, &mut counts);
+//! walk(5, &mut ()); // compiles to nothing
+//! assert_eq!(counts.walk_steps, 3);
+//! ```
+//!
+//! **Not here.** Clocks and progress bars: only the lab reads a clock.
+
+/// One thing an algorithm did. Shared by all algorithms, so that their counts compare.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Event {
+    /// An orientation was asked.
+    Orient,
+    /// A perturbed in-sphere test was asked.
+    InSphere,
+    /// A site was put into the triangulation; `done` are in it now, of `total`.
+    Site {
+        /// Sites inserted so far.
+        done: usize,
+        /// Sites to insert in all.
+        total: usize,
+    },
+    /// Location crossed one facet.
+    WalkStep,
+    /// A cavity of this many cells was dug and starred.
+    Cavity {
+        /// Cells removed.
+        cells: usize,
+    },
+    /// One flip.
+    Flip,
+    /// One cell was made.
+    CellMade,
+    /// A segment on its way through the mesh crossed an edge.
+    EdgeCrossed,
+    /// A segment, or a piece of one, became an edge of the mesh.
+    Subsegment,
+}
+
+/// Listens to an algorithm.
+pub trait Probe {
+    /// Called at each event, in the order things happen.
+    fn on(&mut self, event: Event);
+}
+
+/// The probe that listens to nothing, at no cost.
+impl Probe for () {
+    #[inline(always)]
+    fn on(&mut self, _: Event) {}
+}
+
+impl<P: Probe + ?Sized> Probe for &mut P {
+    #[inline]
+    fn on(&mut self, event: Event) {
+        (**self).on(event);
+    }
+}
+
+/// Tallies of every kind of event.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counts {
+    /// Orientations asked.
+    pub orients: u64,
+    /// Perturbed in-sphere tests asked.
+    pub in_spheres: u64,
+    /// Sites inserted.
+    pub sites: u64,
+    /// Facets crossed in location.
+    pub walk_steps: u64,
+    /// Cavities dug.
+    pub cavities: u64,
+    /// Cells removed in all cavities together.
+    pub cavity_cells: u64,
+    /// The largest cavity, in cells.
+    pub cavity_cells_max: u64,
+    /// Flips.
+    pub flips: u64,
+    /// Cells made.
+    pub cells_made: u64,
+    /// Edges crossed by segments on their way through the mesh.
+    pub edges_crossed: u64,
+    /// Subsegments made.
+    pub subsegments: u64,
+}
+
+impl Probe for Counts {
+    fn on(&mut self, event: Event) {
+        match event {
+            Event::Orient => self.orients += 1,
+            Event::InSphere => self.in_spheres += 1,
+            Event::Site { .. } => self.sites += 1,
+            Event::WalkStep => self.walk_steps += 1,
+            Event::Cavity { cells } => {
+                self.cavities += 1;
+                self.cavity_cells += cells as u64;
+                self.cavity_cells_max = self.cavity_cells_max.max(cells as u64);
+            }
+            Event::Flip => self.flips += 1,
+            Event::CellMade => self.cells_made += 1,
+            Event::EdgeCrossed => self.edges_crossed += 1,
+            Event::Subsegment => self.subsegments += 1,
+        }
+    }
+}
+
+impl Counts {
+    /// Each tally under its name, in a fixed order.
+    #[must_use]
+    pub fn named(&self) -> [(&'static str, u64); 11] {
+        [
+            ("orients", self.orients),
+            ("in_spheres", self.in_spheres),
+            ("sites", self.sites),
+            ("walk_steps", self.walk_steps),
+            ("cavities", self.cavities),
+            ("cavity_cells", self.cavity_cells),
+            ("cavity_cells_max", self.cavity_cells_max),
+            ("flips", self.flips),
+            ("cells_made", self.cells_made),
+            ("edges_crossed", self.edges_crossed),
+            ("subsegments", self.subsegments),
+        ]
+    }
+}
+
+#[cfg(test)]
+mod tests;
