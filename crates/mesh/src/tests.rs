@@ -1,0 +1,148 @@
+use super::*;
+
+fn v(index: usize) -> VertexId {
+    VertexId::new(index)
+}
+
+fn simplex<const D: usize>(k: usize) -> Mesh<D> {
+    Mesh::simplex(&(0..=k).map(v).collect::<Vec<_>>())
+}
+
+#[test]
+fn handles_take_four_bytes_and_print_short() {
+    assert_eq!(size_of::<Option<VertexId>>(), 4);
+    assert_eq!(size_of::<Option<CellId>>(), 4);
+    assert_eq!(size_of::<Option<FacetId<3>>>(), 4);
+    assert_eq!(format!("{:?} {:?}", v(17), CellId::new(4)), "v17 c4");
+    assert_eq!(format!("{:?}", FacetId::<3>::new(CellId::new(4), 2)), "c4/2");
+    assert!(v(1) < v(2) && v(2) < VertexId::GHOST);
+}
+
+#[test]
+fn simplices_of_every_dimension_are_spheres() {
+    fn check<const D: usize>() {
+        for k in 0..=D {
+            let mesh = simplex::<D>(k);
+            assert_eq!(mesh.faults(Level::Sphere, k + 1), [], "k = {k}, D = {D}");
+            assert_eq!(mesh.cell_count(), k + 2);
+        }
+    }
+    check::<1>();
+    check::<2>();
+    check::<3>();
+    check::<5>();
+    assert_eq!(Mesh::<2>::empty().faults(Level::Sphere, 0), []);
+}
+
+#[test]
+fn starring_one_cell_splits_it() {
+    let mut mesh = simplex::<3>(3);
+    let mut cavity = Cavity::new();
+    cavity.begin(CellId::new(0));
+    mesh.facets(CellId::new(0)).for_each(|facet| cavity.push_rim(facet));
+    mesh.star(&cavity, v(4));
+    mesh.compact();
+    assert_eq!(mesh.faults(Level::Sphere, 5), []);
+    assert_eq!(mesh.solid_cells().count(), 4);
+}
+
+#[test]
+fn starring_a_region_with_turns_about_its_ridges_stays_a_sphere() {
+    // Split a tetrahedron, then replace the whole star of the new vertex by the cone from another one.
+    let mut mesh = simplex::<3>(3);
+    let mut cavity = Cavity::new();
+    cavity.begin(CellId::new(0));
+    mesh.facets(CellId::new(0)).for_each(|facet| cavity.push_rim(facet));
+    mesh.star(&cavity, v(4));
+    let star: Vec<CellId> =
+        mesh.cells().filter(|&c| c != CellId::new(0) && mesh.corners(c).contains(&v(4))).collect();
+    cavity.begin(star[0]);
+    star[1..].iter().for_each(|&cell| cavity.dig(cell));
+    for facet in star.iter().flat_map(|&cell| mesh.facets(cell)) {
+        if !cavity.holds(mesh.twin(facet).cell()) {
+            cavity.push_rim(facet);
+        }
+    }
+    assert_eq!(cavity.rim().len(), 4);
+    mesh.star(&cavity, v(5));
+    mesh.compact();
+    assert_eq!(mesh.faults(Level::Sphere, 6), []);
+    assert_eq!(mesh.canonical(|v| u32::try_from(v.index()).unwrap()).len(), 16);
+}
+
+#[test]
+fn half_edges_run_counter_clockwise() {
+    let mesh = simplex::<2>(2);
+    let h = HalfEdge::new(CellId::new(0), 2);
+    assert_eq!((mesh.origin(h), mesh.destination(h), mesh.apex(h)), (v(0), v(1), v(2)));
+    assert_eq!(mesh.origin(mesh.next(h)), v(1));
+    assert_eq!(mesh.next(mesh.prev(h)), h);
+    let twin = mesh.twin(h);
+    assert_eq!((mesh.origin(twin), mesh.destination(twin)), (v(1), v(0)));
+    let ring: Vec<VertexId> =
+        mesh.ring(v(0), CellId::new(0)).map(|h| mesh.destination(h)).collect();
+    assert_eq!(ring, [v(1), v(2), VertexId::GHOST]);
+    assert!(mesh.half_edge(v(2), v(1), CellId::new(0)).is_some());
+}
+
+#[test]
+fn each_kind_of_damage_is_found() {
+    let whole = simplex::<2>(2);
+    let mut mesh = whole.clone();
+    mesh.vertices.swap(0, 1);
+    assert!(matches!(mesh.faults(Level::Twins, 3)[0], MeshFault::TwinVertices(..)));
+
+    let mut mesh = whole.clone();
+    mesh.twins[0] = FacetId::from_index(0);
+    assert!(matches!(mesh.faults(Level::Twins, 3)[0], MeshFault::Twin(..)));
+
+    let mut mesh = whole.clone();
+    mesh.twins.swap(0, 1);
+    assert!(!mesh.faults(Level::Twins, 3).is_empty());
+
+    let mut mesh = whole.clone();
+    mesh.vertices[1] = mesh.vertices[0];
+    assert!(matches!(mesh.faults(Level::Handles, 3)[0], MeshFault::RepeatedCorner(..)));
+    assert!(matches!(whole.faults(Level::Handles, 2)[0], MeshFault::VertexRange(..)));
+
+    let mut mesh = whole.clone();
+    mesh.retire(CellId::new(3));
+    assert_eq!(mesh.faults(Level::Handles, 3), [MeshFault::Retired(CellId::new(3))]);
+
+    let mut mesh = whole.clone();
+    mesh.twins.pop();
+    assert_eq!(mesh.faults(Level::Handles, 3), [MeshFault::Lengths]);
+}
+
+#[test]
+fn two_spheres_are_not_one() {
+    let mut mesh = simplex::<2>(2);
+    let other = simplex::<2>(2);
+    let offset = mesh.cell_count();
+    for cell in other.cells() {
+        let corners: Vec<VertexId> = other
+            .corners(cell)
+            .iter()
+            .map(|&u| if u.is_ghost() { v(6) } else { v(u.index() + 3) })
+            .collect();
+        mesh.add_cell(&corners);
+    }
+    for facet in other.cells().flat_map(|cell| other.facets(cell)) {
+        let shift = |f: FacetId<2>| FacetId::<2>::from_index(f.index() + 3 * offset);
+        mesh.glue(shift(facet), shift(other.twin(facet)));
+    }
+    let faults = mesh.faults(Level::Sphere, 7);
+    assert!(faults.contains(&MeshFault::Disconnected) && faults.contains(&MeshFault::Euler(4, 2)));
+    // Pinched at one vertex: connected only through it.
+    mesh.relabel(|u| if u == v(6) { v(0) } else { u });
+    assert!(mesh.faults(Level::Sphere, 7).contains(&MeshFault::SplitStar(v(0))));
+}
+
+#[test]
+fn embedding_keeps_dimension_and_cells() {
+    let line = simplex::<1>(1);
+    let embedded = Mesh::<3>::embed(&line);
+    assert_eq!(embedded.dimension(), Some(1));
+    assert_eq!(embedded.faults(Level::Sphere, 2), []);
+    assert_eq!(embedded.canonical(|v| u32::try_from(v.index()).unwrap()), [0, 1]);
+}
