@@ -1,1 +1,40 @@
-//! sites.
+//! Validated input: distinct finite sites, noded planar straight-line graphs, insertion orders.
+//!
+//! ```
+//! use delone_sites::{Pslg, Sites};
+//!
+//! let sites = Sites::new(&[[0.0, 0.0], [1.0, 0.0], [-0.0, 0.0]]).unwrap();
+//! assert_eq!((sites.len(), sites.site_of()), (2, &[0, 1, 0][..]));
+//!
+//! let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+//! let refused = Pslg::new(&square, &[[0, 2], [1, 3]]).unwrap_err();
+//! assert_eq!(refused.to_string(),
+//!     "segments 0 and 1 cross near (0.5, 0.5): split them at a common vertex");
+//! ```
+//!
+//! # Which one do I want
+//!
+//! | you have | use | time |
+//! |---|---|---|
+//! | points | [`Sites`] | O(n log n) |
+//! | points and segments in the plane | [`Pslg`] | O(n log n), see its page |
+//! | sites to insert one by one | [`Sites::brio_order`] | O(n log n) |
+//!
+//! # Contract
+//!
+//! Here, and nowhere later, bad input is refused: with every violation and its witness. What passes may be as degenerate
+//! as it likes. Ids are `u32` in order of first appearance.
+//!
+//! **Not here.** Reading files: `delone-formats`.
+
+mod boxes;
+mod order;
+mod pslg;
+mod sites;
+
+pub use order::Curve;
+pub use pslg::{Crossing, Pslg, PslgError, PslgFault};
+pub use sites::{NotFinite, Sites, SitesError};
+
+#[cfg(test)]
+mod tests;

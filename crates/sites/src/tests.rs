@@ -1,0 +1,143 @@
+use super::*;
+
+#[test]
+fn duplicates_and_negative_zeros_are_one_site() {
+    let sites =
+        Sites::new(&[[1.0, 0.0], [0.0, 0.0], [1.0, -0.0], [-0.0, 0.0], [0.5, 2.0]]).unwrap();
+    assert_eq!(sites.points(), [[1.0, 0.0], [0.0, 0.0], [0.5, 2.0]]);
+    assert_eq!(sites.site_of(), [0, 1, 0, 1, 2]);
+    assert_eq!(sites.input_of(), [0, 1, 4]);
+    assert_eq!(sites.sorted(), [1, 2, 0]);
+    assert_eq!(sites.ranks(), [2, 0, 1]);
+    assert_eq!(sites.duplicate_count(), 2);
+    assert!(sites.points().iter().flatten().all(|c| c.is_sign_positive()));
+}
+
+#[test]
+fn every_coordinate_that_is_not_finite_is_listed() {
+    let error =
+        Sites::new(&[[0.0, f64::NAN], [1.0, 1.0], [f64::INFINITY, f64::NEG_INFINITY]]).unwrap_err();
+    let SitesError::NotFinite(all) = &error else { panic!("{error}") };
+    let places: Vec<(usize, usize)> = all.iter().map(|fault| (fault.point, fault.axis)).collect();
+    assert_eq!(places, [(0, 1), (2, 0), (2, 1)]);
+    assert!(error.to_string().starts_with("point 0 has the coordinate NaN on axis 1"));
+}
+
+#[test]
+fn the_curve_steps_to_neighbours() {
+    fn check<const D: usize>(side: u32) {
+        let count = (side as usize).pow(D as u32);
+        let points: Vec<[f64; D]> = (0..count)
+            .map(|i| {
+                std::array::from_fn(|axis| {
+                    (i / (side as usize).pow(axis as u32) % side as usize) as f64
+                })
+            })
+            .collect();
+        let order = Sites::new(&points).unwrap().hilbert_order();
+        for pair in order.windows(2) {
+            let [a, b] = [pair[0], pair[1]].map(|i| points[i as usize]);
+            let steps: f64 = (0..D).map(|axis| (a[axis] - b[axis]).abs()).sum();
+            assert_eq!(steps, 1.0, "{a:?} {b:?}");
+        }
+    }
+    check::<2>(16);
+    check::<3>(8);
+    check::<4>(4);
+}
+
+#[test]
+fn orders_are_permutations_and_do_not_depend_on_input_order() {
+    let points: Vec<[f64; 2]> =
+        (0..1000u32).map(|i| [f64::from(i * 7919 % 1009), f64::from(i * 104_729 % 997)]).collect();
+    let reversed: Vec<[f64; 2]> = points.iter().rev().copied().collect();
+    let (sites, mirror) = (Sites::new(&points).unwrap(), Sites::new(&reversed).unwrap());
+    let order = sites.brio_order(7);
+    let mut sorted = order.clone();
+    sorted.sort_unstable();
+    assert!(sorted.iter().enumerate().all(|(i, &site)| i == site as usize));
+    let other = mirror.brio_order(7);
+    assert!(
+        order
+            .iter()
+            .zip(&other)
+            .all(|(&a, &b)| sites.points()[a as usize] == mirror.points()[b as usize])
+    );
+    assert_ne!(order, sites.brio_order(8));
+}
+
+#[test]
+fn orders_bear_the_full_range_of_doubles() {
+    let points = [[f64::MAX, -f64::MAX], [-f64::MAX, f64::MAX], [5e-324, 0.0], [0.0, 5e-324]];
+    assert_eq!(Sites::new(&points).unwrap().brio_order(0).len(), 4);
+    let tiny = [[0.0, 0.0], [5e-324, 0.0], [0.0, 5e-324], [5e-324, 5e-324]];
+    assert_eq!(Sites::new(&tiny).unwrap().hilbert_order().len(), 4);
+    assert_eq!(Sites::<2>::new(&[]).unwrap().brio_order(0), []);
+}
+
+#[test]
+fn a_site_inside_a_segment_cuts_it() {
+    let pslg = Pslg::new(&[[0.0, 0.0], [3.0, 3.0], [1.0, 1.0], [2.0, 2.0]], &[[1, 0]]).unwrap();
+    assert_eq!(pslg.subsegments(), [[0, 2], [1, 3], [2, 3]]);
+    assert_eq!(pslg.chains(), [[1, 2, 0]]);
+}
+
+#[test]
+fn overlaps_share_subsegments() {
+    let points = [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [3.0, 0.0]];
+    let pslg = Pslg::new(&points, &[[0, 2], [3, 1], [1, 2]]).unwrap();
+    assert_eq!(pslg.subsegments(), [[0, 1], [1, 2], [2, 3]]);
+    assert_eq!(pslg.chains(), [vec![0, 1], vec![2, 1], vec![1]]);
+}
+
+#[test]
+fn segments_of_no_length_are_dropped_and_listed() {
+    let pslg =
+        Pslg::new(&[[0.0, 0.0], [0.0, -0.0], [1.0, 0.0]], &[[0, 1], [2, 1], [2, 2]]).unwrap();
+    assert_eq!(pslg.dropped(), [0, 2]);
+    assert_eq!(pslg.chains(), [vec![], vec![0], vec![]]);
+}
+
+#[test]
+fn crossing_at_a_site_is_no_crossing() {
+    let points = [[0.0, 0.0], [2.0, 2.0], [0.0, 2.0], [2.0, 0.0], [1.0, 1.0]];
+    let pslg = Pslg::new(&points, &[[0, 1], [2, 3]]).unwrap();
+    assert_eq!(pslg.subsegments().len(), 4);
+    let refused = Pslg::new(&points[..4], &[[0, 1], [2, 3]]).unwrap_err();
+    assert_eq!(refused.0, [PslgFault::Crossing(Crossing { segments: [0, 1], near: [1.0, 1.0] })]);
+}
+
+#[test]
+fn every_crossing_of_a_grid_is_listed() {
+    let k = 12usize;
+    let mut points = Vec::new();
+    let mut segments = Vec::new();
+    for i in 0..k {
+        let at = i as f64 + 0.5;
+        for [a, b] in [[[at, 0.0], [at, k as f64]], [[0.0, at], [k as f64, at]]] {
+            segments.push([points.len(), points.len() + 1]);
+            points.extend([a, b]);
+        }
+    }
+    let PslgError(faults) = Pslg::new(&points, &segments).unwrap_err();
+    let mut pairs = Vec::new();
+    for fault in &faults {
+        let PslgFault::Crossing(Crossing { segments: [s, t], near }) = *fault else {
+            panic!("{fault}")
+        };
+        assert_eq!((s + t) % 2, 1, "only a column crosses a row");
+        let (column, row) = if s % 2 == 0 { (s, t) } else { (t, s) };
+        assert_eq!(near, [f64::from(column / 2) + 0.5, f64::from(row / 2) + 0.5]);
+        pairs.push([s, t]);
+    }
+    pairs.dedup();
+    assert_eq!(pairs.len(), k * k);
+}
+
+#[test]
+fn all_kinds_of_nonsense_are_named_at_once() {
+    let PslgError(faults) = Pslg::new(&[[0.0, f64::NAN]], &[[0, 3], [7, 0]]).unwrap_err();
+    assert_eq!(faults.len(), 3);
+    assert!(matches!(faults[1], PslgFault::NoSuchPoint { segment: 0, point: 3, count: 1 }));
+    assert!(matches!(faults[2], PslgFault::NoSuchPoint { segment: 1, point: 7, count: 1 }));
+}
