@@ -1,1 +1,44 @@
-//! delaunay.
+//! Delaunay triangulation in any dimension: one canonical answer, whatever the algorithm and the order.
+//!
+//! ```
+//! use delone_delaunay::{Options, delaunay};
+//! use delone_sites::Sites;
+//!
+//! let sites = Sites::new(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]).unwrap();
+//! let triangulation = delaunay(&sites, &Options::default(), &mut ());
+//! // The four corners are cocircular: the perturbation picks one of two diagonals, always the same.
+//! assert_eq!(triangulation.canonical(), [0, 1, 3, 1, 2, 3]);
+//! ```
+//!
+//! # Which one do I want
+//!
+//! | module | paper | time | when |
+//! |---|---|---|---|
+//! | [`delaunay()`] | | | always, unless you compare algorithms |
+//! | [`bowyer_watson()`] | [Bow81], [Wat81] | expected O(n log n) in the plane | any dimension, your own kernel |
+//! | [`naive_delaunay`] | the definition | O(n^(D+2)) | to test the others |
+//!
+//! # Contract
+//!
+//! In: [`delone_sites::Sites`], as degenerate as they like. Out: [`Delaunay`], a mesh of the dimension of the sites' affine
+//! hull. Deterministic: same points, same cells, for every order, seed and kernel. Nothing fails.
+//!
+//! **Not here.** Constraints (`delone-cdt`), judgement (`delone-check`).
+
+mod bowyer_watson;
+mod conflict;
+mod flat;
+mod locate;
+mod naive;
+mod registry;
+mod result;
+
+pub use bowyer_watson::bowyer_watson;
+pub use conflict::{dig_conflicts, in_conflict};
+pub use locate::{Coin, walk};
+pub use naive::naive_delaunay;
+pub use registry::{Algorithm, KernelKind, Options, Order, algorithms, delaunay};
+pub use result::{Delaunay, Fingerprint};
+
+#[cfg(test)]
+mod tests;

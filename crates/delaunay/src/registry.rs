@@ -1,0 +1,86 @@
+//! Every Delaunay algorithm by name: what the lab, the tests and the benches walk.
+
+use delone_predicates::{Adaptive, Exact};
+use delone_probe::{Counts, Probe};
+use delone_sites::Sites;
+
+use crate::{Delaunay, bowyer_watson};
+
+/// Which kernel answers.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum KernelKind {
+    /// Filters, then exact integers.
+    #[default]
+    Adaptive,
+    /// Exact integers only.
+    Exact,
+}
+
+/// The order in which an incremental algorithm takes the sites.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Order {
+    /// Biased randomized rounds along Hilbert's curve.
+    #[default]
+    Brio,
+    /// Along Hilbert's curve.
+    Hilbert,
+    /// As given.
+    AsGiven,
+    /// By coordinates.
+    Lexicographic,
+}
+
+/// How to run an algorithm.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Options {
+    /// Who answers.
+    pub kernel: KernelKind,
+    /// The order of insertion, where there is one.
+    pub order: Order,
+    /// Seeds the randomized order. The result does not depend on it.
+    pub seed: u64,
+}
+
+/// One Delaunay algorithm.
+#[derive(Clone, Copy, Debug)]
+pub struct Algorithm<const D: usize> {
+    /// Its name on the command line.
+    pub name: &'static str,
+    /// Keys of the papers it follows.
+    pub papers: &'static [&'static str],
+    /// Runs it.
+    pub run: fn(&Sites<D>, &Options) -> Delaunay<D>,
+    /// Runs it and counts what it does.
+    pub run_counted: fn(&Sites<D>, &Options, &mut Counts) -> Delaunay<D>,
+}
+
+/// All algorithms that run in D dimensions.
+#[must_use]
+pub fn algorithms<const D: usize>() -> Vec<Algorithm<D>> {
+    vec![Algorithm {
+        name: "bowyer-watson",
+        papers: &["Bow81", "Wat81", "DT11", "ACR03"],
+        run: |sites, options| delaunay(sites, options, &mut ()),
+        run_counted: |sites, options, counts| delaunay(sites, options, counts),
+    }]
+}
+
+/// The Delaunay triangulation of sites, by [`bowyer_watson`] in the given order under the given kernel.
+pub fn delaunay<const D: usize>(
+    sites: &Sites<D>,
+    options: &Options,
+    probe: &mut impl Probe,
+) -> Delaunay<D> {
+    let order = match options.order {
+        Order::Brio => sites.brio_order(options.seed),
+        Order::Hilbert => sites.hilbert_order(),
+        Order::AsGiven => (0u32..).take(sites.len()).collect(),
+        Order::Lexicographic => sites.sorted().to_vec(),
+    };
+    Delaunay::new(match options.kernel {
+        KernelKind::Adaptive => bowyer_watson(&Adaptive::new(sites.points()), &order, probe),
+        KernelKind::Exact => bowyer_watson(&Exact::new(sites.points()), &order, probe),
+    })
+}
