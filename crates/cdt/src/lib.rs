@@ -1,1 +1,40 @@
-//! cdt.
+//! Constrained Delaunay triangulations in the plane: one canonical answer, whatever the algorithm.
+//!
+//! ```
+//! use delone_cdt::cavity;
+//! use delone_delaunay::Options;
+//! use delone_sites::Pslg;
+//!
+//! let kite = [[0.0, 0.0], [3.0, 1.0], [6.0, 0.0], [3.0, -1.0]];
+//! let pslg = Pslg::new(&kite, &[[0, 2]]).unwrap(); // the long diagonal, which is not Delaunay
+//! let cdt = cavity(&pslg, &Options::default(), &mut ());
+//! assert_eq!(cdt.canonical(), [0, 1, 2, 0, 2, 3]);
+//! assert_eq!(cdt.constrained_edges(), [[0, 2]]);
+//! ```
+//!
+//! # Which one do I want
+//!
+//! | module | paper | time | when |
+//! |---|---|---|---|
+//! | [`cavity()`] | [SB15] | Delaunay, then expected O(1) for each edge crossed | always, for now |
+//! | [`insert_segments`] | [SB15] | the second half of it | your own kernel or Delaunay mesh |
+//!
+//! # Contract
+//!
+//! In: [`delone_sites::Pslg`], noded. Out: [`Cdt`], a mesh whose edges contain every segment, Delaunay up to visibility.
+//! The whole convex hull is triangulated. Deterministic: same points and segments, same cells. Nothing fails.
+//!
+//! **Not here.** Noding and refusal of crossings (`delone-sites`), judgement (`delone-check`).
+
+mod cavity;
+mod chain;
+mod fill;
+mod registry;
+mod result;
+
+pub use cavity::insert_segments;
+pub use registry::{Algorithm, algorithms, cavity};
+pub use result::Cdt;
+
+#[cfg(test)]
+mod tests;

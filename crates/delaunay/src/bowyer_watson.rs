@@ -93,6 +93,6 @@ fn build<const D: usize>(kernel: &impl Kernel<D>, count: usize, probe: &mut impl
         cavity.rim().iter().for_each(|_| probe.on(Event::CellMade));
         probe.on(Event::Site { done: done + 1, total: count });
     }
-    mesh.compact();
+    mesh.compact(|_, _| {});
     mesh
 }

@@ -206,14 +206,16 @@ impl<const D: usize> Mesh<D> {
         self.free.push(cell);
     }
 
-    /// Closes the slots of retired cells that were not used again: the last cells move into them.
-    pub fn compact(&mut self) {
+    /// Closes the slots of retired cells that were not used again: the last cells move into them, and `moved` is told
+    /// from where to where.
+    pub fn compact(&mut self, mut moved: impl FnMut(CellId, CellId)) {
         let mut free = std::mem::take(&mut self.free);
         free.sort_unstable();
         while let Some(hole) = free.pop() {
             let last = CellId::new(self.cell_count() - 1);
             if hole != last {
                 self.move_cell(last, hole);
+                moved(last, hole);
             }
             self.vertices.truncate(last.index() * (D + 1));
             self.twins.truncate(last.index() * (D + 1));

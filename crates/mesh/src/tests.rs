@@ -41,7 +41,7 @@ fn starring_one_cell_splits_it() {
     cavity.begin(CellId::new(0));
     mesh.facets(CellId::new(0)).for_each(|facet| cavity.push_rim(facet));
     mesh.star(&cavity, v(4));
-    mesh.compact();
+    mesh.compact(|_, _| {});
     assert_eq!(mesh.faults(Level::Sphere, 5), []);
     assert_eq!(mesh.solid_cells().count(), 4);
 }
@@ -65,7 +65,7 @@ fn starring_a_region_with_turns_about_its_ridges_stays_a_sphere() {
     }
     assert_eq!(cavity.rim().len(), 4);
     mesh.star(&cavity, v(5));
-    mesh.compact();
+    mesh.compact(|_, _| {});
     assert_eq!(mesh.faults(Level::Sphere, 6), []);
     assert_eq!(mesh.canonical(|v| u32::try_from(v.index()).unwrap()).len(), 16);
 }

@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use crate::kernel::{Id, Kernel, all_axes};
+use crate::kernel::{Id, Kernel, PlaneKernel, all_axes};
 use crate::{Sign, determinant, filter};
 
 /// Ids that one predicate call takes at most.
@@ -132,4 +132,18 @@ impl<const D: usize, P: AsRef<[[f64; D]]>> Kernel<D> for Adaptive<P> {
 #[inline(always)]
 fn coordinates<const D: usize, const N: usize>(point: &[f64; D]) -> [f64; N] {
     std::array::from_fn(|axis| point[axis])
+}
+
+impl<P: AsRef<[[f64; 2]]>> PlaneKernel for Adaptive<P> {
+    #[inline]
+    fn cross<V: Id>(&self, vertices: [V; 4]) -> Sign {
+        let points = vertices.map(|v| *point(&self.0, v));
+        filter::cross(points).unwrap_or_else(|| determinant::cross(points))
+    }
+}
+
+impl<P: AsRef<[[f64; 2]]>> PlaneKernel for Exact<P> {
+    fn cross<V: Id>(&self, vertices: [V; 4]) -> Sign {
+        determinant::cross(vertices.map(|v| *point(&self.0, v)))
+    }
 }

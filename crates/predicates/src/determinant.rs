@@ -112,6 +112,21 @@ pub(crate) fn orient(points: &[&[f64]], axes: &[usize]) -> Sign {
     sign.times_minus_one_to(k) // the reference is the last point, not the first
 }
 
+/// The sign of `(b - a) x (d - c)` in the plane.
+///
+/// Differences of any two aligned points are below 2^(w+1), so the head-room is that of an orientation in two axes.
+#[cold]
+#[inline(never)]
+pub(crate) fn cross([a, b, c, d]: [[f64; 2]; 4]) -> Sign {
+    let Some((low, w)) = span([a, b, c, d].into_iter().flatten()) else {
+        return Sign::Zero;
+    };
+    with_limbs!(2 * (w + 1) + 2, N => {
+        let at = |p: [f64; 2]| p.map(|coordinate| aligned::<N>(coordinate, low));
+        determinant(&[difference(at(b), &at(a)), difference(at(d), &at(c))]).sign()
+    })
+}
+
 /// The sign of the lifted determinant: positive if the last of the k+2 points is inside the circumsphere of the first
 /// k+1, these being positively oriented in the k given axes; heights are squared lengths in *all* coordinates.
 #[cold]

@@ -52,6 +52,14 @@ pub(crate) fn orient2d(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> Option<Sign> {
     certain(left - right, ORIENT_2D * ((left + right).abs() + f64::MIN_POSITIVE))
 }
 
+/// The sign of `(b - a) x (d - c)`: the same roundings as in `orient2d`, one for each difference.
+#[inline(always)]
+pub(crate) fn cross([a, b, c, d]: [[f64; 2]; 4]) -> Option<Sign> {
+    let left = (b[0] - a[0]) * (d[1] - c[1]);
+    let right = (b[1] - a[1]) * (d[0] - c[0]);
+    certain(left - right, ORIENT_2D * ((left + right).abs() + f64::MIN_POSITIVE))
+}
+
 #[inline(always)]
 pub(crate) fn orient3d(a: [f64; 3], b: [f64; 3], c: [f64; 3], d: [f64; 3]) -> Option<Sign> {
     let [p, q, r] = [a, b, c].map(|v| [v[0] - d[0], v[1] - d[1], v[2] - d[2]]);

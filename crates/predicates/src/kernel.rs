@@ -101,3 +101,9 @@ pub trait Kernel<const D: usize> {
         );
     }
 }
+
+/// What algorithms in the plane ask besides.
+pub trait PlaneKernel: Kernel<2> {
+    /// The sign of `(b - a) x (d - c)`: positive if `d` is higher than `c` above the line from `a` to `b`.
+    fn cross<V: Id>(&self, vertices: [V; 4]) -> Sign;
+}

@@ -39,7 +39,7 @@ mod projected;
 mod sign;
 
 pub use adaptive::{Adaptive, Exact};
-pub use kernel::{Id, Kernel, all_axes};
+pub use kernel::{Id, Kernel, PlaneKernel, all_axes};
 pub use projected::Projected;
 pub use sign::{Side, Sign};
 

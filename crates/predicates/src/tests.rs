@@ -151,3 +151,18 @@ fn within_a_plane_heights_are_those_of_space() {
 fn a_wrong_number_of_points_is_named() {
     let _ = orient(&[[0.0, 0.0], [1.0, 1.0]]);
 }
+
+#[test]
+fn cross_compares_heights_above_a_line() {
+    let points = [[0.0, 0.0], [3.0, 1.0], [5.0, 5.0], [5e-324, 1e300], [8.0, 6.0]];
+    let (adaptive, exact) = (Adaptive::new(points), Exact::new(points));
+    for (vertices, sign) in [
+        ([0usize, 1, 2, 3], Sign::Positive),
+        ([0, 1, 3, 2], Sign::Negative),
+        ([0, 1, 2, 4], Sign::Zero),
+        ([1, 0, 2, 3], Sign::Negative),
+    ] {
+        assert_eq!(adaptive.cross(vertices), sign, "{vertices:?}");
+        assert_eq!(exact.cross(vertices), sign, "{vertices:?}");
+    }
+}
