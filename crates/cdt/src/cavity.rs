@@ -25,6 +25,7 @@
 use delone_mesh::{Cavity, CellId, HalfEdge, Mesh, VertexId};
 use delone_predicates::{PlaneKernel, Sign};
 use delone_probe::{Event, Probe};
+use delone_sites::scatter;
 
 use crate::fill::{Beyond, Filler};
 
@@ -56,14 +57,6 @@ pub fn insert_segments(
         }
     }
     work.finish()
-}
-
-/// A bijective hash [SplitMix64's finalizer].
-fn scatter(number: u64) -> u64 {
-    let z = number.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    let z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    z ^ (z >> 31)
 }
 
 struct Work<'k, K> {

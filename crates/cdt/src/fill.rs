@@ -27,6 +27,7 @@
 use delone_mesh::VertexId;
 use delone_predicates::{PlaneKernel, Side, Sign};
 use delone_probe::{Event, Probe};
+use delone_sites::scatter;
 
 /// What lies beyond a side of a triangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -198,12 +199,9 @@ fn must_go(
     kernel.in_sphere(&triangle, x) == Side::Positive
 }
 
-/// A number below `count` from the SplitMix64 stream.
-fn below(state: &mut u64, count: usize) -> usize {
-    *state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    let mut z = *state;
-    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    z ^= z >> 31;
-    usize::try_from(u128::from(z) * count as u128 >> 64).expect("a number below a usize is one")
+/// A number below `count`, the next of the stream.
+fn below(stream: &mut u64, count: usize) -> usize {
+    *stream = scatter(*stream);
+    usize::try_from(u128::from(*stream) * count as u128 >> 64)
+        .expect("a number below a usize is one")
 }

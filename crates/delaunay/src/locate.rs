@@ -33,7 +33,8 @@ impl Coin {
         self.0 ^= self.0 << 13;
         self.0 ^= self.0 >> 17;
         self.0 ^= self.0 << 5;
-        (u64::from(self.0) * count as u64 >> 32) as usize
+        let scaled = u64::from(self.0) * count as u64;
+        (scaled >> 32) as usize
     }
 }
 

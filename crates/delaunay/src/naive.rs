@@ -8,6 +8,9 @@
 use delone_predicates::{Kernel, Side, Sign};
 
 /// All Delaunay cells of vertices 0 to `count - 1`, which must span R^D.
+///
+/// # Panics
+/// If there are 2^32 vertices or more.
 pub fn naive_delaunay<const D: usize>(kernel: &impl Kernel<D>, count: usize) -> Vec<u32> {
     let mut cells = Vec::new();
     let mut simplex: Vec<usize> = (0..=D).collect();

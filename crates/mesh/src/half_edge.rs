@@ -41,7 +41,7 @@ impl Mesh<2> {
     #[must_use]
     pub fn prev(&self, h: HalfEdge) -> HalfEdge {
         let index = h.index();
-        HalfEdge::from_index(if index % 3 == 0 { index + 2 } else { index - 1 })
+        HalfEdge::from_index(if index.is_multiple_of(3) { index + 2 } else { index - 1 })
     }
 
     /// The half-edges that leave `vertex`, counter-clockwise, from one in `cell`, which has the vertex. Edges to the

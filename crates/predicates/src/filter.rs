@@ -9,7 +9,7 @@
 //! inner magnitude gets a guard G = 2^-1020 added *before* it is scaled by its outer factor: A G >= 7 * 2^-53 * 2^-1020
 //! = 28 * 2^-1075, more than the two (or, in a squared length, three) products below it can lose. The guard of the last
 //! sum covers the outermost products and the rounding of `A * permanent` itself. Differences never underflow inexactly.
-//! For orient2d, where both products are outermost, [Ozaki et al. 2016] prove the sharper form used here.
+//! For orient2d, where both products are outermost, [OBO16] prove the sharper form used here.
 //!
 //! **Overflow.** A difference or product that overflows makes the permanent infinite or NaN, and then no comparison
 //! below succeeds: uncertain.

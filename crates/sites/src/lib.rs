@@ -32,7 +32,7 @@ mod order;
 mod pslg;
 mod sites;
 
-pub use order::Curve;
+pub use order::{Curve, scatter};
 pub use pslg::{Crossing, Pslg, PslgError, PslgFault};
 pub use sites::{NotFinite, Sites, SitesError};
 

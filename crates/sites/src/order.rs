@@ -10,8 +10,10 @@ use crate::Sites;
 /// Rounds end when no more than this many sites are left.
 const FIRST_ROUND: usize = 64;
 
-/// One step of the SplitMix64 generator, as a hash.
-fn splitmix(value: u64) -> u64 {
+/// A bijective hash: one step of the SplitMix64 generator [SLF14]. Wherever an algorithm wants randomness it scatters
+/// something that is the input's own, so that every run is the same.
+#[must_use]
+pub const fn scatter(value: u64) -> u64 {
     let mut z = value.wrapping_add(0x9e37_79b9_7f4a_7c15);
     z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
@@ -25,7 +27,7 @@ impl<const D: usize> Sites<D> {
     pub fn brio_order(&self, seed: u64) -> Vec<u32> {
         let rounds = (self.len() / FIRST_ROUND).checked_ilog2().map_or(0, |log| log + 1);
         let last = u64::from(rounds);
-        self.order_by(|rank| last - u64::from(splitmix(seed ^ rank).trailing_zeros().min(rounds)))
+        self.order_by(|rank| last - u64::from(scatter(seed ^ rank).trailing_zeros().min(rounds)))
     }
 
     /// All sites along Hilbert's curve.
@@ -59,7 +61,10 @@ impl<const D: usize> Curve<D> {
     const BITS: u32 = match D {
         0 | 1 => 32,
         2 => 31,
-        _ => 63 / D as u32,
+        3 => 21,
+        4 => 15,
+        5 => 12,
+        _ => 9,
     };
 
     /// The curve through the smallest cube at the low corner of the points' bounding box that holds them.

@@ -164,11 +164,8 @@ impl Pslg {
     fn crossings(&self) -> Vec<Crossing> {
         let points = self.sites.points();
         let ends = |piece: u32| self.subsegments[piece as usize].map(|site| points[site as usize]);
-        let boxes: Vec<Box2> = (0u32..)
-            .take(self.subsegments.len())
-            .map(|piece| ends(piece))
-            .map(|[a, b]| Box2::of(a, b))
-            .collect();
+        let boxes: Vec<Box2> =
+            (0u32..).take(self.subsegments.len()).map(&ends).map(|[a, b]| Box2::of(a, b)).collect();
         let tree = BoxTree::new(&boxes);
         let mut parents = vec![Vec::new(); self.subsegments.len()];
         for (segment, chain) in (0u32..).zip(&self.chains) {
