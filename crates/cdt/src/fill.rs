@@ -202,6 +202,6 @@ fn must_go(
 /// A number below `count`, the next of the stream.
 fn below(stream: &mut u64, count: usize) -> usize {
     *stream = scatter(*stream);
-    usize::try_from(u128::from(*stream) * count as u128 >> 64)
-        .expect("a number below a usize is one")
+    let scaled = u128::from(*stream) * count as u128;
+    usize::try_from(scaled >> 64).expect("a number below a usize is one")
 }

@@ -37,4 +37,5 @@ pub use registry::{Algorithm, algorithms, cavity};
 pub use result::Cdt;
 
 #[cfg(test)]
+#[expect(clippy::cast_possible_truncation, reason = "the numbers of the tests are small")]
 mod tests;

@@ -87,4 +87,5 @@ pub fn orient<const D: usize>(points: &[[f64; D]]) -> Sign {
 }
 
 #[cfg(test)]
+#[expect(clippy::cast_possible_truncation, reason = "the numbers of the tests are small")]
 mod tests;
