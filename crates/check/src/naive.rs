@@ -88,4 +88,4 @@ fn simplices<const D: usize, I: Integer>(
 }
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;
