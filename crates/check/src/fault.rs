@@ -1,0 +1,133 @@
+//! What can be wrong with a triangulation, each with its witnesses.
+
+mod text;
+
+/// An input point as a witness: its id and coordinates.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Witness {
+    /// The id of the point.
+    pub id: u32,
+    /// Its coordinates.
+    pub at: Vec<f64>,
+}
+
+/// A simplex as a witness: its corners, in the order given or ascending for a face.
+pub type Simplex = Vec<Witness>;
+
+/// One violation. `Display` gives one sentence with indices and coordinates; [`Fault::kind`] its short name.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+#[expect(missing_docs, reason = "the fields are named after what they hold")]
+pub enum Fault {
+    /// A coordinate is NaN or infinite.
+    NotFinite { point: Witness },
+    /// A flat array does not hold a whole number of simplices, or two arrays differ in length.
+    BadLength { array: &'static str, length: usize, expected: String },
+    /// The dimension claimed is impossible for these points.
+    BadDimension { dimension: Option<usize>, ambient: usize, points: usize },
+    /// A vertex id is not the id of a point.
+    IdOutOfRange { cell: usize, id: u32, points: usize },
+    /// A cell has a vertex twice.
+    RepeatedVertex { cell: usize, vertices: Vec<u32> },
+    /// The same vertices make up two cells.
+    DuplicateCell { first: usize, second: usize, vertices: Vec<u32> },
+    /// A cell has no volume.
+    FlatCell { cell: usize, corners: Simplex },
+    /// A cell is oriented negatively (or, in a flat, unlike the first).
+    NegativeCell { cell: usize, corners: Simplex },
+    /// A point is not in the flat spanned by a cell, so the dimension claimed is too small.
+    OffFlat { point: Witness, flat: Simplex },
+    /// Two cells lie on the same side of their common facet.
+    FoldedFacet { facet: Simplex, cells: [usize; 2] },
+    /// More than two cells share a facet.
+    CrowdedFacet { facet: Simplex, cells: usize },
+    /// A face of the boundary's facets is not shared by exactly two of them, with opposite orientation.
+    OpenBoundary { ridge: Simplex, facets: usize },
+    /// The cells (or the boundary's facets) are not connected.
+    Disconnected { what: &'static str, pieces: usize },
+    /// The boundary is not convex: beyond this facet lies a vertex of its neighbour.
+    ReflexRidge { facet: Simplex, beyond: Witness },
+    /// An interior point of a cell is not strictly inside this facet of the boundary.
+    UnseenFacet { facet: Simplex, cell: Simplex },
+    /// The boundary winds around an interior point more than once: the cells overlap.
+    WindsAgain { facet: Simplex, cell: Simplex, times: usize },
+    /// No ray in general position was found; nothing was decided.
+    RayUndecided { facet: Simplex },
+    /// The Euler characteristic is wrong.
+    Euler { found: isize, expected: isize },
+    /// A point, equal to no used point, is not used.
+    UnusedPoint { point: Witness },
+    /// Two used points are equal.
+    DuplicatePoint { point: Witness, first: u32 },
+    /// A point is strictly inside the sphere of a cell next to it.
+    NotDelaunay { cell: Simplex, inside: Witness },
+    /// A point is on the sphere of a cell next to it, and the perturbation puts it inside.
+    WrongTie { cell: Simplex, inside: Witness },
+    /// A segment has an endpoint that is not the id of a point.
+    SegmentOutOfRange { segment: usize, id: u32, points: usize },
+    /// A segment is not a chain of edges: none leads on from `stuck` towards the other end.
+    BrokenSegment { segment: usize, ends: Simplex, stuck: Witness },
+    /// An edge on an input segment is not flagged as constrained.
+    MissingFlag { edge: Simplex, segment: usize },
+    /// An edge on no input segment is flagged as constrained.
+    ExtraFlag { edge: Simplex },
+    /// What is flagged as constrained is not an edge.
+    FlagNotEdge { ends: [u32; 2] },
+    /// A cell has the ghost vertex twice.
+    TwoGhosts { cell: usize },
+    /// A twin is not the number of a facet.
+    TwinOutOfRange { facet: usize, twin: usize },
+    /// The twin of a facet's twin is another facet.
+    TwinNotMutual { facet: usize, twin: usize, back: usize },
+    /// Twins have different vertices.
+    TwinMismatch { facet: usize, twin: usize, vertices: [Vec<u32>; 2] },
+    /// Twins see their facet from the same side.
+    TwinOrientation { facet: usize, twin: usize, vertices: Vec<u32> },
+    /// A facet's vertices do not occur in exactly two cells of the closed mesh.
+    NotClosed { vertices: Vec<u32>, cells: usize },
+    /// Beyond the outer facet of a ghost cell there is another ghost cell.
+    GhostBesideGhost { cell: usize, beyond: usize },
+}
+
+impl Fault {
+    /// The short name of this kind of fault, as in reports and JSON.
+    #[must_use]
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Self::NotFinite { .. } => "not-finite",
+            Self::BadLength { .. } => "bad-length",
+            Self::BadDimension { .. } => "bad-dimension",
+            Self::IdOutOfRange { .. } => "id-out-of-range",
+            Self::RepeatedVertex { .. } => "repeated-vertex",
+            Self::DuplicateCell { .. } => "duplicate-cell",
+            Self::FlatCell { .. } => "flat-cell",
+            Self::NegativeCell { .. } => "negative-cell",
+            Self::OffFlat { .. } => "off-flat",
+            Self::FoldedFacet { .. } => "folded-facet",
+            Self::CrowdedFacet { .. } => "crowded-facet",
+            Self::OpenBoundary { .. } => "open-boundary",
+            Self::Disconnected { .. } => "disconnected",
+            Self::ReflexRidge { .. } => "reflex-ridge",
+            Self::UnseenFacet { .. } => "unseen-facet",
+            Self::WindsAgain { .. } => "winds-again",
+            Self::RayUndecided { .. } => "ray-undecided",
+            Self::Euler { .. } => "euler",
+            Self::UnusedPoint { .. } => "unused-point",
+            Self::DuplicatePoint { .. } => "duplicate-point",
+            Self::NotDelaunay { .. } => "not-delaunay",
+            Self::WrongTie { .. } => "wrong-tie",
+            Self::SegmentOutOfRange { .. } => "segment-out-of-range",
+            Self::BrokenSegment { .. } => "broken-segment",
+            Self::MissingFlag { .. } => "missing-flag",
+            Self::ExtraFlag { .. } => "extra-flag",
+            Self::FlagNotEdge { .. } => "flag-not-edge",
+            Self::TwoGhosts { .. } => "two-ghosts",
+            Self::TwinOutOfRange { .. } => "twin-out-of-range",
+            Self::TwinNotMutual { .. } => "twin-not-mutual",
+            Self::TwinMismatch { .. } => "twin-mismatch",
+            Self::TwinOrientation { .. } => "twin-orientation",
+            Self::NotClosed { .. } => "not-closed",
+            Self::GhostBesideGhost { .. } => "ghost-beside-ghost",
+        }
+    }
+}

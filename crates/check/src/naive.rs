@@ -1,0 +1,91 @@
+//! Brute force, straight from the definitions: the twins that validate the judge and the algorithms on small inputs.
+//!
+//! | function | definition | time | for |
+//! |---|---|---|---|
+//! | [`delaunay`] | all simplices with no point in perturbed conflict | `n^(k+2)` | n <= 40 in the plane, 20 in space |
+//! | [`delaunay_by_epsilon`] | lower hull of heights raised by actual powers of two | `n^(k+2)` big products | n <= 12 |
+//! | [`constrained`] | all triangles that no visible point is in conflict with | `n^4 (n + m)` | n <= 14 |
+//!
+//! Each returns cells of ascending ids, sorted; the dimension is that of the points, and cells have one more vertex: points of
+//! the plane on a line give pairs, a single point `[[0]]`, no points nothing. Of equal points the first is
+//! used. Coordinates must be finite.
+
+mod epsilon;
+mod visibility;
+
+pub use epsilon::delaunay_by_epsilon;
+pub use visibility::constrained;
+
+use crate::exact::{Integer, Pure, Sign};
+use crate::space::{Space, lexicographic};
+
+/// The Delaunay triangulation under the lexicographic perturbation, by its definition.
+///
+/// ```
+/// let square = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]];
+/// assert_eq!(delone_check::naive::delaunay(&square), [[0, 1, 2], [1, 2, 3]]);
+/// ```
+#[must_use]
+pub fn delaunay<const D: usize>(points: &[[f64; D]]) -> Vec<Vec<u32>> {
+    let space: Space<'_, D, Pure> = Space::new(points, true);
+    let (ids, space) = framed(space);
+    simplices(&space, &ids, |simplex, orientation| {
+        ids.iter().all(|&q| simplex.contains(&q) || !space.conflict(simplex, orientation, q))
+    })
+}
+
+/// The first of each set of equal points, ascending; and the space along axes on which the points keep their dimension.
+fn framed<const D: usize, I: Integer>(mut space: Space<'_, D, I>) -> (Vec<u32>, Space<'_, D, I>) {
+    let points = space.points;
+    let mut ids: Vec<u32> = (0u32..).zip(points).map(|(id, _)| id).collect();
+    ids.sort_by(|&u, &v| lexicographic(&points[u as usize], &points[v as usize]).then(u.cmp(&v)));
+    ids.dedup_by(|v, u| points[*v as usize] == points[*u as usize]);
+    ids.sort_unstable();
+    let mut axes: Vec<usize> = Vec::new();
+    let mut simplex: Vec<u32> = ids.iter().take(1).copied().collect();
+    for &v in ids.iter().skip(1) {
+        simplex.push(v);
+        let wider = (0..D).filter(|x| !axes.contains(x)).map(|x| {
+            let mut wider = axes.clone();
+            wider.push(x);
+            wider
+        });
+        match wider.into_iter().find(|a| space.orient_along(a, &simplex) != Sign::Zero) {
+            Some(wider) => axes = wider,
+            None => {
+                simplex.pop();
+            }
+        }
+    }
+    axes.sort_unstable();
+    space.axes = axes;
+    (ids, space)
+}
+
+/// All simplices of full dimension among `ids` that are not flat and satisfy `keep`, which is given their orientation.
+fn simplices<const D: usize, I: Integer>(
+    space: &Space<'_, D, I>,
+    ids: &[u32],
+    keep: impl Fn(&[u32], Sign) -> bool,
+) -> Vec<Vec<u32>> {
+    let size = space.axes.len() + 1;
+    let mut found = Vec::new();
+    let mut chosen: Vec<usize> = (0..size).collect(); // positions in ids, ascending
+    while chosen.last().is_some_and(|&last| last < ids.len()) {
+        let simplex: Vec<u32> = chosen.iter().map(|&i| ids[i]).collect();
+        let orientation = space.orient(&simplex);
+        if orientation != Sign::Zero && keep(&simplex, orientation) {
+            found.push(simplex);
+        }
+        // The next combination: advance the last position that has room.
+        let advance = (0..size).rev().find(|&i| chosen[i] + size - i < ids.len()).unwrap_or(0);
+        let start = chosen[advance] + 1;
+        for (offset, position) in chosen[advance..].iter_mut().enumerate() {
+            *position = start + offset;
+        }
+    }
+    found
+}
+
+#[cfg(test)]
+pub(crate) mod tests;
