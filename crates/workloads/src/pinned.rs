@@ -76,7 +76,7 @@ const PINNED: [(&str, u64); 76] = [
     ("spiral-polygon", 0x3289_3998_0921_6973),
     ("star-polygon", 0x90bd_e73a_3bff_ba39),
     ("nested-polygons", 0xb9fc_00d9_59c0_6505), // twice
-    ("coast", 0x70db_df96_dc5d_ab2c),
+    ("coast", 0xd010_5ca3_d558_b657),
     ("streets", 0x1c24_f30a_a353_5aad),
     ("hilbert", 0xc076_1549_2ba6_6502),
     ("koch", 0x53fe_4bd8_1ec7_1b09),

@@ -6,10 +6,8 @@ use crate::num::{real, side};
 use crate::points2d::circles::{quarter, turned};
 use crate::{Input, Rng};
 
-/// Kites half as wide as 0.42 of their edge: a half-angle of 40 degrees, and a ring of seven corners or more leaves
-/// 128 degrees or so on the inside of each corner.
-const SPREAD: f64 = 0.42;
-const ROUGHNESS: f64 = 0.55;
+/// Part of the way from an edge to the border of its kite that a displacement may take.
+const ROUGHNESS: f64 = 0.8;
 
 /// Exactly `n` sites, unless doubles run out of room first. Under 16 sites the frame is left out.
 pub(crate) fn coast(n: usize, rng: &mut Rng) -> Input {
@@ -27,6 +25,9 @@ pub(crate) fn coast(n: usize, rng: &mut Rng) -> Input {
     for _ in 0..islands {
         strew(&mut curves, &mut disks, budget, rng);
     }
+    // Until their shores are known, kites fill the lakes.
+    let shores = curves.points.len() * 8;
+    curves.refine(shores.min(budget / 4 * 3), ROUGHNESS, rng);
     inside_lakes(&mut curves, &disks, budget, rng);
     curves.refine(budget, ROUGHNESS, rng);
 
@@ -51,9 +52,10 @@ fn ring(corners: usize, centre: [f64; 2], mut distance: impl FnMut() -> f64) -> 
 }
 
 fn continent(curves: &mut Curves, corners: usize, rng: &mut Rng) {
-    let shape = ring(corners, [2.0, 1.5], || rng.between(0.86, 1.0));
+    let centre = [2.0, 1.5];
+    let shape = ring(corners, centre, || rng.between(0.6, 0.96));
     let wide = shape.iter().map(|[x, y]| [2.0 + 1.3 * (x - 2.0), *y]).collect::<Vec<_>>();
-    curves.ring(&wide, 0.8 * SPREAD);
+    curves.ring(&wide, centre);
 }
 
 /// One island or lake wherever there is room for it: small ones are common, large ones rare.
@@ -61,7 +63,9 @@ fn strew(curves: &mut Curves, disks: &mut Vec<([f64; 2], f64)>, budget: usize, r
     for _ in 0..60 {
         let u = rng.unit();
         let radius = 0.012 + 0.3 * u * u * u;
-        let centre = [rng.between(radius, 4.0 - radius), rng.between(radius, 3.0 - radius)];
+        // One in three is tried in the middle of the continent: a lake.
+        let [wide, high] = if rng.one_in(3) { [0.9, 0.6] } else { [2.0 - radius, 1.5 - radius] };
+        let centre = [2.0 + rng.between(-wide, wide), 1.5 + rng.between(-high, high)];
         let apart = disks.iter().all(|&(c, r)| distance(c, centre) > r + radius);
         if apart && place(curves, centre, radius, budget, rng) {
             disks.push((centre, radius));
@@ -72,7 +76,7 @@ fn strew(curves: &mut Curves, disks: &mut Vec<([f64; 2], f64)>, budget: usize, r
 
 /// An island in each lake or island wide enough: its disk is half as wide, and moved a little.
 fn inside_lakes(curves: &mut Curves, disks: &[([f64; 2], f64)], budget: usize, rng: &mut Rng) {
-    for &(centre, radius) in disks.iter().filter(|disk| disk.1 > 0.06) {
+    for &(centre, radius) in disks.iter().filter(|disk| disk.1 > 0.05) {
         for _ in 0..12 {
             let size = radius * rng.between(0.1, 0.3);
             let spot = centre.map(|x| x + radius * rng.between(-0.4, 0.4));
@@ -83,11 +87,11 @@ fn inside_lakes(curves: &mut Curves, disks: &[([f64; 2], f64)], budget: usize, r
 
 /// A ring inside the disk, kites included, if the disk is clear and the budget allows.
 fn place(curves: &mut Curves, centre: [f64; 2], radius: f64, budget: usize, rng: &mut Rng) -> bool {
-    const CORNERS: usize = 7;
+    const CORNERS: usize = 6;
     if curves.points.len() + CORNERS > budget || !curves.is_clear(centre, radius) {
         return false;
     }
-    // Kites of a ring of radius r reach out to 1.3 r at most.
-    curves.ring(&ring(CORNERS, centre, || radius * rng.between(0.6, 0.75)), SPREAD);
+    // The middle of an edge is at most 0.63 * 0.95 from the centre, and its kite at most 0.63 * 0.95 * 1.66 < 1.
+    curves.ring(&ring(CORNERS, centre, || radius * rng.between(0.3, 0.63)), centre);
     true
 }
