@@ -8,14 +8,14 @@ for (const button of document.querySelectorAll("th button")) {
     for (const other of head.parentElement.cells) other.removeAttribute("aria-sort");
     head.setAttribute("aria-sort", down ? "descending" : "ascending");
     const key = row => row.cells[column].dataset.key, text = row => row.cells[column].textContent;
+    // Cells without a number come last either way.
     const order = (a, b) => {
-      const x = key(a), y = key(b);
-      if (x !== undefined && y !== undefined) return x - y;
+      const x = key(a), y = key(b), sign = down ? -1 : 1;
+      if (x !== undefined && y !== undefined) return sign * (x - y);
       if (x !== undefined || y !== undefined) return x !== undefined ? -1 : 1;
-      return text(a).localeCompare(text(b), "en", { numeric: true });
+      return sign * text(a).localeCompare(text(b), "en", { numeric: true });
     };
     const rows = [...body.rows].sort(order);
-    if (down) rows.reverse();
     for (const row of rows) row.classList.remove("group");
     body.append(...rows);
   });

@@ -65,7 +65,7 @@ impl Layout {
     }
 
     pub(crate) fn dot(&self) -> f64 {
-        (self.edge / 9.0).clamp(0.6, 3.0)
+        (self.edge / 12.0).clamp(0.6, 3.0)
     }
 
     pub(crate) fn font(&self) -> f64 {
