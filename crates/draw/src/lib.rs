@@ -1,1 +1,47 @@
-//! draw.
+//! Pictures and reports: SVG of planar and spatial meshes, and HTML in one self-contained file.
+//!
+//! ```
+//! use delone_draw::{Anchor, Cell, Picture, Report, Style, Table};
+//!
+//! let points = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+//! let picture = Picture { points: &points, triangles: &[[0, 1, 2], [0, 2, 3]], segments: &[[0, 2]], ..Picture::default() };
+//! assert!(picture.svg(&Style::default()).starts_with("<svg"));
+//!
+//! let mut report = Report::new("Two triangles");
+//! report.heading("The square", &Anchor::new("square"));
+//! let mut table = Table::new(["input", "triangles", "verdict"]);
+//! table.row([Cell::text("square"), Cell::count(2), Cell::text("proved").ok()]);
+//! report.table(&table);
+//! report.picture(&picture, &Style::default(), "A square and its diagonal.");
+//! assert!(report.finish().ends_with("</html>\n"));
+//! ```
+//!
+//! # Which one do I want
+//!
+//! | module | draws | when |
+//! |---|---|---|
+//! | [`Picture`] | a planar triangulation as SVG, numbered if asked | up to some 10,000 edges, papers, rustdoc |
+//! | [`Solid`] | a tetrahedral mesh as SVG: shaded boundary, wires inside | up to some 10,000 facets |
+//! | [`Report`] | paragraphs, sortable tables, figures; a figure of more than [`SVG_EDGES_MAX`] edges becomes a canvas with pan and zoom | `compare`, benchmarks |
+//!
+//! # Contract
+//!
+//! - Input is plain coordinates and indices; an index out of range or a coordinate that is not finite leaves its element
+//!   out, and the picture's description says how many were left out.
+//! - Any finite doubles will do: all coordinates are brought into the unit square by powers of two and one division, so
+//!   no NaN or infinity reaches the output. A figure too flat to be seen is stretched, and says so.
+//! - The same input gives the same bytes. Text is escaped everywhere. The HTML is also well-formed XML, uses no
+//!   network, and follows the reader's light or dark scheme.
+//!
+//! Not here: layout of graphs, geometry (circumcircles apart), reading clocks or files.
+
+mod frame;
+mod html;
+mod num;
+mod solid;
+mod svg;
+mod text;
+
+pub use html::{Anchor, Cell, Report, SVG_EDGES_MAX, Table, Tone};
+pub use solid::Solid;
+pub use svg::{Aspect, Dots, Picture, Style};
