@@ -1,8 +1,9 @@
 //! Cells read in and put right side up: T1, T2, and the flat they live in.
 //!
-//! **In.** `k+1` ids per cell. **Out.** A [`Triangulation`]: the same cells, turned positive where the options allow it, each with the
-//! sign of its orientation, and the space restricted to `k` axes on which a cell is not flat. For `k < D` all
-//! points are proved to lie in the flat of one cell: with every further axis, the point and that cell have rank `k`.
+//! **In.** `k+1` ids per cell. **Out.** A [`Triangulation`]: the same cells, turned positive where
+//! the options allow it, each with the sign of its orientation, and the space restricted to `k`
+//! axes on which a cell is not flat. For `k < D` all points are proved to lie in the flat of one
+//! cell: with every further axis, the point and that cell have rank `k`.
 
 use crate::exact::{Integer, Sign};
 use crate::fault::Fault;
@@ -39,7 +40,8 @@ pub(crate) struct Triangulation<'a, const D: usize, I> {
 }
 
 impl<'a, const D: usize, I: Integer> Triangulation<'a, D, I> {
-    /// Reads and checks the cells one by one. `None`: the data have no meaning, and the report says why.
+    /// Reads and checks the cells one by one. `None`: the data have no meaning, and the report says
+    /// why.
     pub(crate) fn read(
         complex: &Complex<'a, D>,
         options: &Options,
@@ -178,7 +180,8 @@ fn checked_shape<const D: usize>(complex: &Complex<'_, D>, report: &mut Report) 
     Some(k)
 }
 
-/// The first half of T1: ids in range, and distinct within a cell. (The second half is in `triangulation`.)
+/// The first half of T1: ids in range, and distinct within a cell. (The second half is in
+/// `triangulation`.)
 fn check_ids<const D: usize>(
     complex: &Complex<'_, D>,
     stride: usize,

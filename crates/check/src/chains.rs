@@ -1,10 +1,12 @@
 //! Input segments as chains of edges (K2, K4), and the flags they imply (K3). In the plane.
 //!
-//! **In.** The edges of a complex, and segments between its points. **Method.** From one end, follow the edge that points exactly towards
-//! the other end, found by binary search among the edges around the vertex sorted by direction (on first use); each
-//! step ends strictly nearer or at the end, else the segment is broken there. Directions are compared by exact
-//! orientations, so each step is exactly collinear and forwards. That nothing crosses the chain follows: its edges
-//! belong to a complex whose cells do not overlap. **Cost.** `O(log d)` orientations per step and one sort of each vertex passed.
+//! **In.** The edges of a complex, and segments between its points. **Method.** From one end,
+//! follow the edge that points exactly towards the other end, found by binary search among the
+//! edges around the vertex sorted by direction (on first use); each step ends strictly nearer or at
+//! the end, else the segment is broken there. Directions are compared by exact orientations, so
+//! each step is exactly collinear and forwards. That nothing crosses the chain follows: its edges
+//! belong to a complex whose cells do not overlap. **Cost.** `O(log d)` orientations per step and
+//! one sort of each vertex passed.
 
 use crate::cells::Triangulation;
 use crate::exact::{Integer, Sign};
@@ -59,7 +61,8 @@ impl Edges {
     }
 }
 
-/// The order of two directions around `v`: the lexicographically greater half first, counterclockwise in each.
+/// The order of two directions around `v`: the lexicographically greater half first,
+/// counterclockwise in each.
 fn by_direction<I: Integer>(space: &Space<'_, 2, I>, v: u32, a: u32, b: u32) -> Ordering {
     let half = |w| space.compare(v, w); // Less: w is greater; Equal: no direction at all
     half(a).cmp(&half(b)).then_with(|| match space.orient_along(&[0, 1], &[v, a, b]) {
@@ -103,7 +106,8 @@ pub(crate) fn cover<I: Integer>(
     covered
 }
 
-/// K3: the flagged edges are exactly those covered. Flags are a set: order and repetition do not matter.
+/// K3: the flagged edges are exactly those covered. Flags are a set: order and repetition do not
+/// matter.
 pub(crate) fn check_flags(
     points: &[[f64; 2]],
     edges: &Edges,

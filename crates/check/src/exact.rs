@@ -1,12 +1,13 @@
-//! Numbers of the judge: signs, the two traits every formula is written against, and who implements them.
+//! Numbers of the judge: signs, the two traits every formula is written against, and who implements
+//! them.
 //!
-//! A formula ([`crate::space`]) is written once, over an [`Arithmetic`]: something that turns the difference of two
-//! coordinates into a [`Number`]. Three kinds of numbers run it:
+//! A formula ([`crate::space`]) is written once, over an [`Arithmetic`]: something that turns the
+//! difference of two coordinates into a [`Number`]. Three kinds of numbers run it:
 //!
 //! | numbers | what they know | when |
 //! |---|---|---|
-//! | [`Ball`](ball::Ball) | a double and a bound on its error | first, if [`Options::filtered`](crate::Options) |
-//! | `i128` on a [`Lattice`] | the exact value, if all coordinates fit a proven number of bits | next, if filtered |
+//! | [`Ball`](ball::Ball) | a double and its error bound | first, if [filtered](crate::Options) |
+//! | `i128` on a [`Lattice`] | the value, if coordinates are short enough | next, if filtered |
 //! | a big integer on a [`Lattice`] | the exact value, always | last; alone, if not filtered |
 //!
 //! No code here is shared with a predicate of the algorithms under judgement.

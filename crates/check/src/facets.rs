@@ -1,8 +1,9 @@
 //! The facets of a list of simplices, brought together by their vertices.
 //!
-//! **In.** `stride` ids per simplex. **Out.** All facets, sorted by vertex set, each with the sign it has in the
-//! oriented boundary of its simplex, compared with its vertices in ascending order: facet `i` of `(v0..vk)` counts as
-//! `(-1)^i` times the parity of the permutation that sorts the rest. **Cost.** One sort of 32-byte records.
+//! **In.** `stride` ids per simplex. **Out.** All facets, sorted by vertex set, each with the sign
+//! it has in the oriented boundary of its simplex, compared with its vertices in ascending order:
+//! facet `i` of `(v0..vk)` counts as `(-1)^i` times the parity of the permutation that sorts the
+//! rest. **Cost.** One sort of 32-byte records.
 
 /// One facet of one simplex.
 #[derive(Clone, Copy, Debug)]
@@ -24,7 +25,8 @@ pub(crate) struct Facets<'a> {
 }
 
 impl<'a> Facets<'a> {
-    /// The facets of those cells for which `sign` says whether they count negatively; `None` skips a cell.
+    /// The facets of those cells for which `sign` says whether they count negatively; `None` skips
+    /// a cell.
     pub(crate) fn new(
         stride: usize,
         cells: &'a [u32],

@@ -14,7 +14,8 @@ pub struct Witness {
 /// A simplex as a witness: its corners, in the order given or ascending for a face.
 pub type Simplex = Vec<Witness>;
 
-/// One violation. `Display` gives one sentence with indices and coordinates; [`Fault::kind`] its short name.
+/// One violation. `Display` gives one sentence with indices and coordinates; [`Fault::kind`] its
+/// short name.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 #[expect(missing_docs, reason = "the fields are named after what they hold")]
@@ -41,7 +42,8 @@ pub enum Fault {
     FoldedFacet { facet: Simplex, cells: [usize; 2] },
     /// More than two cells share a facet.
     CrowdedFacet { facet: Simplex, cells: usize },
-    /// A face of the boundary's facets is not shared by exactly two of them, with opposite orientation.
+    /// A face of the boundary's facets is not shared by exactly two of them, with opposite
+    /// orientation.
     OpenBoundary { ridge: Simplex, facets: usize },
     /// The cells (or the boundary's facets) are not connected.
     Disconnected { what: &'static str, pieces: usize },

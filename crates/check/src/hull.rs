@@ -1,28 +1,37 @@
-//! The boundary is that of a convex body, traversed once: T5 and the ray test, in any dimension `k >= 1`.
+//! The boundary is that of a convex body, traversed once: T5 and the ray test, for
+//! `k >= 1`.
 //!
-//! **In.** A complex with T1, T2, T3; its boundary facets, each with its sign in the oriented boundary.
+//! **In.** A complex with T1, T2, T3; its boundary facets, each with its sign in the oriented
+//! boundary.
+//!
 //! **Checks.** Let `c` be the barycentre of the cell of one boundary facet `F`.
 //!
-//! 1. Every ridge (face of codimension 2) of the boundary belongs to exactly two boundary facets, with opposite
-//!    orientations, and the facets are connected across ridges.
-//! 2. At every ridge the boundary is convex or flat: the apex of one facet is not strictly outside the other.
+//! 1. Every ridge (face of codimension 2) of the boundary belongs to exactly two boundary facets,
+//!    with opposite orientations, and the facets are connected across ridges.
+//! 2. At every ridge the boundary is convex or flat: the apex of one facet is not strictly outside
+//!    the other.
 //! 3. `c` is strictly inside every boundary facet's hyperplane.
 //! 4. A ray from `c` through the interior of `F`, meeting no ridge, meets no other facet.
 //!
-//! **Proof.** (After Mehlhorn, Näher, Schilz, Schirra, Seel, Seidel, Uhrig 1996.) Project the boundary from `c` onto a
-//! sphere. By 3 each facet projects injectively, all with the same orientation, by 1 facets meeting in
-//! a ridge lie on opposite sides of it; so away from codimension 2 the projection is a covering of the sphere minus a set that does
-//! not separate it, and by 4 it has one sheet. So the boundary bounds a body that is star-shaped around `c`. For generic `x`, `y` in
-//! the body the plane through `c`, `x`, `y` avoids all faces of codimension 3 and cuts the body in a star-shaped
-//! polygon, whose corners lie on ridges and are convex or straight by 2. Such a polygon is convex, so the
-//! segment `xy` is in the body; by closure, for all `x`, `y`. In the plane the ridges are the hull's vertices: a single cycle that turns left or goes
-//! straight and winds once. Coplanar neighbours need no test of their own: by 3 and orientation they lie on opposite sides of their ridge.
+//! **Proof.** (After Mehlhorn, Näher, Schilz, Schirra, Seel, Seidel, Uhrig 1996.) Project the
+//! boundary from `c` onto a sphere. By 3 each facet projects injectively, all with the same
+//! orientation, by 1 facets meeting in a ridge lie on opposite sides of it; so away from
+//! codimension 2 the projection is a covering of the sphere minus a set that does not separate it,
+//! and by 4 it has one sheet. So the boundary bounds a body that is star-shaped around `c`. For
+//! generic `x`, `y` in the body the plane through `c`, `x`, `y` avoids all faces of codimension 3
+//! and cuts the body in a star-shaped polygon, whose corners lie on ridges and are convex or
+//! straight by 2. Such a polygon is convex, so the segment `xy` is in the body; by closure, for all
+//! `x`, `y`. In the plane the ridges are the hull's vertices: a single cycle that turns left or
+//! goes straight and winds once. Coplanar neighbours need no test of their own: by 3 and
+//! orientation they lie on opposite sides of their ridge.
 //!
-//! **Why each is needed.** Without 4 a surface that winds twice around a branch vertex passes; without 2, a star.
+//! **Why each is needed.** Without 4 a surface that winds twice around a branch vertex passes;
+//! without 2, a star.
 //!
-//! **The ray** aims at the point of `F` with barycentric weights `1, s, s^2, ..`, a moment curve, which meets each hyperplane at most
-//! `k-1` times; so of the tries `s = 3, 4, ..` only finitely many can fail. It meets a facet iff each
-//! determinant `det [F_j - c]` with row `i` replaced by the ray's direction is positive, like the determinant itself (Cramer).
+//! **The ray** aims at the point of `F` with barycentric weights `1, s, s^2, ..`, a moment curve,
+//! which meets each hyperplane at most `k-1` times; so of the tries `s = 3, 4, ..` only finitely
+//! many can fail. It meets a facet iff each determinant `det [F_j - c]` with row `i` replaced by
+//! the ray's direction is positive, like the determinant itself (Cramer).
 //! **Cost.** `k` determinants per boundary facet and one per ridge.
 
 use crate::cells::Triangulation;

@@ -1,10 +1,14 @@
-//! The judge of a mesh's links (T4): twins, ghosts, and the closed sphere they should form. No coordinates.
+//! The judge of a mesh's links (T4): twins, ghosts, and the closed sphere they should form. No
+//! coordinates.
 //!
-//! **In.** A [`Links`]: flat arrays. Facet `cell * (k+1) + i` is the one opposite corner `i` of its cell.
-//! **Checks.** 1. Each cell has distinct vertices, GHOST at most once. 2. Twins are facet numbers, and mutual. 3. Twins have the
-//! same vertices and opposite orientations. 4. Every vertex set of a facet occurs in exactly two cells: so the twins
-//! are forced, and ghost cells stand exactly on those facets that only one solid cell has. 5. The outer facet of a ghost cell leads to a solid
-//! cell (for `k >= 1`). 6. The mesh is connected, and its Euler characteristic is that of the `k`-sphere.
+//! **In.** A [`Links`]: flat arrays. Facet `cell * (k+1) + i` is the one opposite corner `i` of its
+//! cell.
+//! **Checks.** 1. Each cell has distinct vertices, GHOST at most once. 2. Twins are facet numbers,
+//! and mutual. 3. Twins have the same vertices and opposite orientations. 4. Every vertex set of a
+//! facet occurs in exactly two cells: so the twins are forced, and ghost cells stand exactly on
+//! those facets that only one solid cell has. 5. The outer facet of a ghost cell leads to a solid
+//! cell (for `k >= 1`). 6. The mesh is connected, and its Euler characteristic is that of the
+//! `k`-sphere.
 //! **Cost.** One sort of the facets.
 
 use crate::facets::{Facets, Pieces};
@@ -26,7 +30,8 @@ pub struct Links<'a> {
     pub ghost: u32,
 }
 
-/// Judges whether the cells are glued into a closed, oriented, connected mesh with the ghosts outside.
+/// Judges whether the cells are glued into a closed, oriented, connected mesh with the ghosts
+/// outside.
 #[must_use]
 pub fn judge_links(links: &Links<'_>, options: &Options) -> Verdict {
     let mut report = Report::new(options.faults_max);

@@ -1,9 +1,10 @@
 //! D2: no facet is in conflict with the two cells it separates.
 //!
-//! A triangulation of the convex hull in which, across every interior facet, the vertex of one cell is not inside the
-//! sphere of the other is Delaunay everywhere (Delaunay's lemma). Under the perturbation "not inside" has no
-//! ties, so the triangulation is the only one. One side of each facet suffices: both give the same sign. With some facets exempt, the same
-//! test proves a constrained Delaunay triangulation.
+//! A triangulation of the convex hull in which, across every interior facet, the vertex of one cell
+//! is not inside the sphere of the other is Delaunay everywhere (Delaunay's lemma). Under the
+//! perturbation "not inside" has no ties, so the triangulation is the only one. One side of each
+//! facet suffices: both give the same sign. With some facets exempt, the same test proves a
+//! constrained Delaunay triangulation.
 
 use crate::cells::Triangulation;
 use crate::exact::{Integer, Sign};

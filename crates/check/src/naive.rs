@@ -1,14 +1,15 @@
-//! Brute force, straight from the definitions: the twins that validate the judge and the algorithms on small inputs.
+//! Brute force, straight from the definitions: the twins that validate the judge and the algorithms
+//! on small inputs.
 //!
 //! | function | definition | time | for |
 //! |---|---|---|---|
-//! | [`delaunay`] | all simplices with no point in perturbed conflict | `n^(k+2)` | n <= 40 in the plane, 20 in space |
-//! | [`delaunay_by_epsilon`] | lower hull of heights raised by actual powers of two | `n^(k+2)` big products | n <= 12 |
-//! | [`constrained`] | all triangles that no visible point is in conflict with | `n^4 (n + m)` | n <= 14 |
+//! | [`delaunay`] | simplices with no point in conflict | `n^(k+2)` | n <= 40, in space 20 |
+//! | [`delaunay_by_epsilon`] | hull of heights plus powers of two | `n^(k+2)`, big | n <= 12 |
+//! | [`constrained`] | no visible point in conflict | `n^4 (n + m)^2` | n <= 14 |
 //!
-//! Each returns cells of ascending ids, sorted; the dimension is that of the points, and cells have one more vertex: points of
-//! the plane on a line give pairs, a single point `[[0]]`, no points nothing. Of equal points the first is
-//! used. Coordinates must be finite.
+//! Each returns cells of ascending ids, sorted; the dimension is that of the points, and cells have
+//! one more vertex: points of the plane on a line give pairs, a single point `[[0]]`, no points
+//! nothing. Of equal points the first is used. Coordinates must be finite.
 
 mod epsilon;
 mod visibility;
@@ -34,7 +35,8 @@ pub fn delaunay<const D: usize>(points: &[[f64; D]]) -> Vec<Vec<u32>> {
     })
 }
 
-/// The first of each set of equal points, ascending; and the space along axes on which the points keep their dimension.
+/// The first of each set of equal points, ascending; and the space along axes on which the points
+/// keep their dimension.
 fn framed<const D: usize, I: Integer>(mut space: Space<'_, D, I>) -> (Vec<u32>, Space<'_, D, I>) {
     let points = space.points;
     let mut ids: Vec<u32> = (0u32..).zip(points).map(|(id, _)| id).collect();
@@ -62,7 +64,8 @@ fn framed<const D: usize, I: Integer>(mut space: Space<'_, D, I>) -> (Vec<u32>, 
     (ids, space)
 }
 
-/// All simplices of full dimension among `ids` that are not flat and satisfy `keep`, which is given their orientation.
+/// All simplices of full dimension among `ids` that are not flat and satisfy `keep`, which is given
+/// their orientation.
 fn simplices<const D: usize, I: Integer>(
     space: &Space<'_, D, I>,
     ids: &[u32],

@@ -1,10 +1,11 @@
 //! How to judge: with which numbers, and how strictly.
 
-/// The options of every judge. The default is the strictest judgement of delone's own output, filtered.
+/// The options of every judge. The default is the strictest judgement of delone's own output,
+/// filtered.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Options {
-    /// Try floating point with a proven error bound, then 128-bit integers where they provably suffice, before big
-    /// integers. `false` uses big integers alone; the verdict is the same.
+    /// Try floating point with a proven error bound, then 128-bit integers where they provably
+    /// suffice, before big integers. `false` uses big integers alone; the verdict is the same.
     pub filtered: bool,
     /// The big integers.
     pub backend: Backend,
@@ -29,7 +30,8 @@ impl Default for Options {
 }
 
 impl Options {
-    /// For the output of another program: any Delaunay triangulation will do, in any order of vertices.
+    /// For the output of another program: any Delaunay triangulation will do, in any order of
+    /// vertices.
     #[must_use]
     pub fn foreign() -> Self {
         Self { ties: Ties::Weak, orientation: Orientation::Any, ..Self::default() }
@@ -71,7 +73,8 @@ pub enum Ties {
 /// What to demand of the order of a cell's vertices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Orientation {
-    /// Positive determinants. For points in a lower-dimensional flat, where no side is up: all of one sign.
+    /// Positive determinants. For points in a lower-dimensional flat, where no side is up: all of
+    /// one sign.
     Positive,
     /// Anything; each cell is turned positive first.
     Any,

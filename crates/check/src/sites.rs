@@ -1,7 +1,7 @@
 //! The points themselves: finite, used, and distinct where used (T8).
 //!
-//! **Out.** For every point the id of a used point equal to it, if any; else of the least point equal to it. **Cost.** One sort of the
-//! points by coordinates.
+//! **Out.** For every point the id of a used point equal to it, if any; else of the least point
+//! equal to it. **Cost.** One sort of the points by coordinates.
 
 use crate::fault::{Fault, Simplex, Witness};
 use crate::space::lexicographic;
@@ -29,7 +29,8 @@ pub(crate) fn check_finite<const D: usize>(points: &[[f64; D]], report: &mut Rep
     })
 }
 
-/// T8: every point is used or equals a used point, and no two used points are equal. Returns the representatives.
+/// T8: every point is used or equals a used point, and no two used points are equal. Returns the
+/// representatives.
 pub(crate) fn check_used<const D: usize>(
     points: &[[f64; D]],
     vertices: &[u32],

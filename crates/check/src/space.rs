@@ -1,7 +1,8 @@
-//! The judge's own predicates: orientation, the sphere test with its tie rule, and the star test of the hull.
+//! The judge's own predicates: orientation, the sphere test with its tie rule, and the star test of
+//! the hull.
 //!
-//! **In.** Points of `D` coordinates; `k <= D` axes on which the points, which lie in one `k`-flat, keep their affine
-//! dimension. **Definitions.** With all rows restricted to the `k` axes,
+//! **In.** Points of `D` coordinates; `k <= D` axes on which the points, which lie in one `k`-flat,
+//! keep their affine dimension. **Definitions.** With all rows restricted to the `k` axes,
 //!
 //! ```text
 //! O(p0..pk)    = det [p1 - p0; ..; pk - p0]
@@ -9,13 +10,15 @@
 //! conflict     = O * M < 0: q is strictly inside the sphere
 //! ```
 //!
-//! where `|p|^2` uses all `D` coordinates. (Subtract the row of `q` and expand by the first column; then
-//! `|p|^2 - |q|^2 = |p - q|^2 + 2 q.(p - q)`, and the second term is a combination of the other columns, since on the
-//! flat each dropped coordinate is an affine function of the kept ones.)
+//! where `|p|^2` uses all `D` coordinates. (Subtract the row of `q` and expand by the first column;
+//! then `|p|^2 - |q|^2 = |p - q|^2 + 2 q.(p - q)`, and the second term is a combination of the
+//! other columns, since on the flat each dropped coordinate is an affine function of the kept
+//! ones.)
 //!
-//! **Ties.** Each height `|p|^2` is raised by an infinitesimal, infinitely larger for a point of larger
-//! lexicographic rank. When `M = 0`, the first point `v` in descending rank whose height matters decides: `q` itself leaves
-//! the sphere; for a `v` of the simplex, `q` falls inside iff the simplex with `v` replaced by `q` keeps its orientation.
+//! **Ties.** Each height `|p|^2` is raised by an infinitesimal, infinitely larger for a point of
+//! larger lexicographic rank. When `M = 0`, the first point `v` in descending rank whose height
+//! matters decides: `q` itself leaves the sphere; for a `v` of the simplex, `q` falls inside iff
+//! the simplex with `v` replaced by `q` keeps its orientation.
 
 use crate::exact::determinant::determinant;
 use crate::exact::lattice::Span;
@@ -71,7 +74,8 @@ impl<'a, const D: usize, I: Integer> Space<'a, D, I> {
         self.decide(&Orientation { points: self.points, axes, simplex })
     }
 
-    /// Where `q` lies with respect to the sphere of `simplex`, whose orientation is `orientation`, not zero.
+    /// Where `q` lies with respect to the sphere of `simplex`, whose orientation is `orientation`,
+    /// not zero.
     pub(crate) fn in_sphere(&self, simplex: &[u32], orientation: Sign, q: u32) -> Place {
         let lifted = Lifted { points: self.points, axes: &self.axes, simplex, q };
         let m = self.decide(&lifted).flipped_if(self.axes.len().is_multiple_of(2));
@@ -115,8 +119,8 @@ impl<'a, const D: usize, I: Integer> Space<'a, D, I> {
         lexicographic(&self.points[u as usize], &self.points[v as usize])
     }
 
-    /// The sign of `det [F_i - c]` with row `replaced`, if any, replaced by the direction of `ray`, where `c` is the
-    /// barycentre of `star.cell` and `F` is `face`.
+    /// The sign of `det [F_i - c]` with row `replaced`, if any, replaced by the direction of `ray`,
+    /// where `c` is the barycentre of `star.cell` and `F` is `face`.
     pub(crate) fn star(&self, star: &Star<'_>) -> Sign {
         if self.filtered {
             let value = star.value(&Balls, self.points, &self.axes);
@@ -191,7 +195,8 @@ impl<const D: usize> Formula for Lifted<'_, D> {
     }
 }
 
-/// A face seen from the barycentre `c` of a cell, for the hull's ray test; everything is scaled by the size of the cell.
+/// A face seen from the barycentre `c` of a cell, for the hull's ray test; everything is scaled by
+/// the size of the cell.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Star<'a> {
     pub(crate) cell: &'a [u32],

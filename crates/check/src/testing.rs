@@ -1,4 +1,5 @@
-//! What the tests of this crate share: a generator of their own, inputs, and triangulations to spoil.
+//! What the tests of this crate share: a generator of their own, inputs, and triangulations to
+//! spoil.
 
 use crate::{Complex, naive};
 
@@ -58,9 +59,12 @@ impl<const D: usize> Owned<D> {
         let mut flat = Vec::new();
         for cell in cells {
             let mut cell = cell.clone();
-            if dimension == Some(D) && volume(points, &cell) < 0.0 {
-                cell.swap(0, 1);
-            } else if dimension == Some(1) && points[cell[0] as usize] > points[cell[1] as usize] {
+            let negative = match dimension {
+                Some(1) => points[cell[0] as usize] > points[cell[1] as usize],
+                Some(k) if k == D => volume(points, &cell) < 0.0,
+                _ => false,
+            };
+            if negative {
                 cell.swap(0, 1);
             }
             flat.extend(cell);
@@ -99,7 +103,8 @@ pub(crate) fn square_grid(side: u32) -> Owned<2> {
     Owned { points, dimension: Some(2), cells: grid_cells(side) }
 }
 
-/// A skewed grid of nearly equilateral triangles, interior points moved a little: Delaunay without ties.
+/// A skewed grid of nearly equilateral triangles, interior points moved a little: Delaunay without
+/// ties.
 pub(crate) fn jittered(side: u32, seed: u64) -> Owned<2> {
     let mut random = Random(seed);
     let mut points = Vec::new();
@@ -124,4 +129,24 @@ fn grid_cells(side: u32) -> Vec<u32> {
         }
     }
     cells
+}
+
+/// `side^3` cubes of six tetrahedra each, along the main diagonal (Kuhn): weakly Delaunay.
+pub(crate) fn kuhn_grid(side: u32) -> Owned<3> {
+    let n = side + 1;
+    let points = (0..n * n * n)
+        .map(|i| [f64::from(i % n), f64::from(i / n % n), f64::from(i / n / n)])
+        .collect();
+    let step = [1, n, n * n];
+    let mut cells = Vec::new();
+    for corner in (0..n * n * n).filter(|i| [i % n, i / n % n, i / n / n].iter().all(|&x| x < side))
+    {
+        for [x, y, z] in [[0, 1, 2], [1, 2, 0], [2, 0, 1], [0, 2, 1], [2, 1, 0], [1, 0, 2]] {
+            let path = [corner, corner + step[x], corner + step[x] + step[y]];
+            let end = path[2] + step[z];
+            let odd = (x + 1) % 3 != y;
+            cells.extend([path[usize::from(odd)], path[usize::from(!odd)], path[2], end]);
+        }
+    }
+    Owned { points, dimension: Some(3), cells }
 }

@@ -1,10 +1,12 @@
-//! How the cells fit together: T1 (no cell twice), T3, T6, T7; with [`crate::hull`], that they tile the convex hull.
+//! How the cells fit together: T1 (no cell twice), T3, T6, T7; with [`crate::hull`], that they tile
+//! the convex hull.
 //!
-//! **Claim.** Let `N(x)` be the number of cells that contain a generic point `x`. The two cells of an interior facet lie on
-//! opposite sides of it (T2, T3), so `N` changes only across boundary facets: it is the winding number of
-//! the boundary around `x`. [`crate::hull`] proves that the boundary is that of a convex body, traversed once. Hence `N`
-//! is 1 inside and 0 outside: the cells cover the body and overlap nowhere. All points are vertices (T8), so
-//! the body is their convex hull. Euler's formula (T7) and connectedness (T6) follow; they are checked all the same.
+//! **Claim.** Let `N(x)` be the number of cells that contain a generic point `x`. The two cells of
+//! an interior facet lie on opposite sides of it (T2, T3), so `N` changes only across boundary
+//! facets: it is the winding number of the boundary around `x`. [`crate::hull`] proves that the
+//! boundary is that of a convex body, traversed once. Hence `N` is 1 inside and 0 outside: the
+//! cells cover the body and overlap nowhere. All points are vertices (T8), so the body is their
+//! convex hull. Euler's formula (T7) and connectedness (T6) follow; they are checked all the same.
 
 use crate::cells::Triangulation;
 use crate::exact::Integer;
@@ -48,7 +50,8 @@ pub(crate) fn check_triangulation<const D: usize, I: Integer>(
     }
 }
 
-/// Dimension 0: one cell, or none if there are no points. That all points equal it, T8 and the flat have shown.
+/// Dimension 0: one cell, or none if there are no points. That all points equal it, T8 and the flat
+/// have shown.
 fn check_points<const D: usize, I: Integer>(t: &Triangulation<'_, D, I>, report: &mut Report) {
     report.check("T1: no cell occurs twice", |report| {
         let mut order: Vec<usize> = (0..t.cells.len()).collect();
@@ -62,7 +65,8 @@ fn check_points<const D: usize, I: Integer>(t: &Triangulation<'_, D, I>, report:
     });
 }
 
-/// Two cells with a facet and its apex in common are one cell twice. Told once, at the facet opposite the least vertex.
+/// Two cells with a facet and its apex in common are one cell twice. Told once, at the facet
+/// opposite the least vertex.
 fn check_distinct<const D: usize, I: Integer>(
     t: &Triangulation<'_, D, I>,
     facets: &Facets<'_>,

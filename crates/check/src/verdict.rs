@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::fmt::{Display, Formatter};
 
 /// The strongest property that was proved.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Level {
     /// Nothing.
@@ -55,7 +55,8 @@ pub struct Verdict {
     pub level: Level,
     /// The checks that found no fault, in the order they were made.
     pub proved: Vec<String>,
-    /// The faults, in the order they were found, at most [`Options::faults_max`](crate::Options) of a kind.
+    /// The faults, in the order they were found, at most [`Options::faults_max`](crate::Options) of
+    /// a kind.
     pub faults: Vec<Fault>,
     /// How many faults of each kind there are, kept or not.
     pub counts: BTreeMap<&'static str, usize>,
@@ -121,6 +122,21 @@ impl Report {
         *count += 1;
         if *count <= self.faults_max {
             self.verdict.faults.push(fault);
+        }
+    }
+
+    /// Runs a check that is worth noting only if its `premise` was proved.
+    pub(crate) fn check_given(
+        &mut self,
+        premise: bool,
+        claim: &str,
+        run: impl FnOnce(&mut Self),
+    ) -> bool {
+        if premise {
+            self.check(claim, run)
+        } else {
+            run(self);
+            false
         }
     }
 

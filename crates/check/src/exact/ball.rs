@@ -1,22 +1,27 @@
 //! The filter: a double with a bound on its error, good under underflow and overflow alike.
 //!
-//! A [`Ball`] `(mid, err)` stands for some real `x` with `|x - mid| <= err`. Let `u = 2^-53`. Round to nearest gives, for
-//! a double operation with exact result `r` and rounded result `v`:
+//! A [`Ball`] `(mid, err)` stands for some real `x` with `|x - mid| <= err`. Let `u = 2^-53`. Round
+//! to nearest gives, for a double operation with exact result `r` and rounded result `v`:
 //!
 //! * `a ± b`: `|v - r| <= u |v|` if `v` is finite (sums of doubles do not underflow inexactly);
 //! * `a * b`: `|v - r| <= u |v| + 2^-1075` if `v` is finite.
 //!
-//! **Sum.** `|(x + y) - v| <= ea + eb + u |v|`. **Product.** With `x = a + dx`, `y = b + dy`:
-//! `|xy - v| <= |a| eb + |b| ea + ea eb + u |v| + 2^-1075`. Both bounds are themselves computed in doubles, from
-//! terms that are not negative, in at most seven roundings, each of which loses at most a factor `1 - u` or, when a
-//! product underflows, an absolute `2^-1075`. The factor [`GROW`]` = 1 + 2^-48 = 1 + 32u` repays the first,
-//! since `(1 - u)^8 (1 + 32u) > 1`; adding [`TINY`]` = 2^-1022` repays the second, there being fewer than 16
-//! underflows of `2^-1075` each.
+//! **Sum.** `|(x + y) - v| <= ea + eb + u |v|`.
 //!
-//! **Overflow.** If `v` is infinite or NaN then so is `u |v|`, hence `err`; an `err` that is infinite or NaN stays so
-//! under both rules (terms that are not negative never cancel; `0 * inf` is NaN). If `err` overflows by
-//! itself it is infinite. [`Ball::sign`] answers only when `|mid| > err`, which is false if `err` is infinite or either is
-//! NaN. So an overflow anywhere leads to "not known", never to a wrong sign.
+//! **Product.** With `x = a + dx` and `y = b + dy`,
+//! `|xy - v| <= |a| eb + |b| ea + ea eb + u |v| + 2^-1075`.
+//!
+//! Both bounds are themselves computed in doubles, from terms that are not negative, in at most
+//! eight roundings, each of which loses at most a factor `1 - u` or, when a product underflows, an
+//! absolute `2^-1075`. The factor [`GROW`], `1 + 32u`, repays the first, since
+//! `(1 - u)^8 (1 + 32u) > 1`; adding [`TINY`], `2^-1022`, repays the second, there being fewer than
+//! 16 underflows.
+//!
+//! **Overflow.** If `v` is infinite or NaN then so is `u |v|`, hence `err`; an `err` that is
+//! infinite or NaN stays so under both rules (terms that are not negative never cancel; `0 * inf`
+//! is NaN). If `err` overflows by itself it is infinite. [`Ball::sign`] answers only when
+//! `|mid| > err`, which is false if `err` is infinite or either is NaN. So an overflow anywhere
+//! leads to "not known", never to a wrong sign.
 
 use super::{Arithmetic, Number, Sign};
 

@@ -1,11 +1,12 @@
 //! Determinants without division, over any numbers.
 //!
-//! Laplace expansion, with the 2x2 minors shared up to order 4 (28 products), by cofactors beyond. Every
-//! partial sum is bounded by the permanent of the absolute values, which `word` relies on.
+//! Laplace expansion, with the 2x2 minors shared up to order 4 (28 products), by cofactors beyond.
+//! Every partial sum is bounded by the permanent of the absolute values, which `word` relies on.
 
 use super::Number;
 
-/// The determinant of the `n`x`n` matrix `m`, row by row. Order 0 does not occur: there is no number to return.
+/// The determinant of the `n`x`n` matrix `m`, row by row. Order 0 does not occur: there is no
+/// number to return.
 pub(crate) fn determinant<N: Number>(n: usize, m: &[N]) -> N {
     match n {
         0 | 1 => m[0].clone(),

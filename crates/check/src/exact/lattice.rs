@@ -1,13 +1,15 @@
 //! All coordinates of one judgement on one power of two, as integers.
 //!
-//! A finite double is `m 2^e` with `m` odd (or zero) and `|m| < 2^53`. Let `e0` be the least `e` among the nonzero
-//! coordinates; then `x / 2^e0` is an integer for every coordinate `x`. Every formula of the judge is
-//! homogeneous, so the common factor changes no sign. From 5e-324 to 1.7e308 a coordinate has at most 2098 bits.
+//! A finite double is `m 2^e` with `m` odd (or zero) and `|m| < 2^53`. Let `e0` be the least `e`
+//! among the nonzero coordinates; then `x / 2^e0` is an integer for every coordinate `x`. Every
+//! formula of the judge is homogeneous, so the common factor changes no sign. From 5e-324 to
+//! 1.7e308 a coordinate has at most 2098 bits.
 
 use super::{Arithmetic, Integer};
 use std::marker::PhantomData;
 
-/// The odd mantissa and the exponent of a finite double: `x = mantissa * 2^exponent`. Zero is `(0, 0)`.
+/// The odd mantissa and the exponent of a finite double: `x = mantissa * 2^exponent`.
+/// Zero is `(0, 0)`.
 pub(crate) fn decode(x: f64) -> (i64, i32) {
     let bits = x.to_bits();
     let top = u16::from_be_bytes([bits.to_be_bytes()[0], bits.to_be_bytes()[1]]);

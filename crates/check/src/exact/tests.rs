@@ -143,9 +143,10 @@ fn word_is_exact_at_its_limit() {
         let n = k + 1;
         for _ in 0..500 {
             let coordinates: Vec<i64> = (0..n * ambient)
-                .map(|_| if random.bits() % 2 == 0 { limit } else { -limit })
+                .map(|_| if random.bits().is_multiple_of(2) { limit } else { -limit })
                 .collect();
-            // Rows of differences to the opposite corner, and their squares: as in the lifted determinant.
+            // Rows of differences to the opposite corner, and their squares: as in the lifted
+            // determinant.
             let numbers = |square: bool, x: i64| {
                 if square { 4 * i128::from(x).pow(2) } else { 2 * i128::from(x) }
             };

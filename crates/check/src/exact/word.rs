@@ -1,18 +1,21 @@
 //! Integers of 128 bits, for coordinates that provably never leave them (grids, small integers).
 //!
-//! Let all coordinates be less than `2^b` in absolute value, so differences are less than `2^(b+1)`. The largest
-//! number in the lifted determinant of a `k`-simplex in `D` dimensions, or in any partial sum of it, is less than
+//! Let all coordinates be less than `2^b` in absolute value, so differences are less than
+//! `2^(b+1)`. The largest number in the lifted determinant of a `k`-simplex in `D` dimensions, or
+//! in any partial sum of it, is less than
 //!
 //! ```text
 //! (k+1)! * 2^(k(b+1)) * D * 2^(2(b+1)),
 //! ```
 //!
 //! the permanent of its `k+1` rows: `k` differences and one sum of `D` squares. The orientation is
-//! smaller. [`fits`] demands that this stays below `2^126`. The operations wrap, so that not even a wrong proof could panic.
+//! smaller. [`fits`] demands that this stays below `2^126`. The operations wrap, so that not even a
+//! wrong proof could panic.
 
 use super::{Integer, Number, Sign};
 
-/// Whether `i128` holds every number of the predicates of `k`-simplices in `ambient` dimensions with `bits`-bit coordinates.
+/// Whether `i128` holds every number of the predicates of `k`-simplices in `ambient` dimensions
+/// with `bits`-bit coordinates.
 pub(crate) fn fits(bits: u32, k: usize, ambient: usize) -> bool {
     if k == 0 || k > 8 || ambient > 8 {
         return false;

@@ -105,7 +105,7 @@ fn fmt_geometry(fault: &Fault, f: &mut Formatter<'_>) -> Result {
         }
         Fault::OpenBoundary { ridge, facets } => write!(
             f,
-            "the ridge {} of the boundary is not the meeting of two facets that agree but of {facets}",
+            "the boundary is open at the ridge {}, where {facets} of its facets meet",
             List(ridge)
         ),
         Fault::Disconnected { what, pieces } => write!(f, "the {what} form {pieces} pieces"),

@@ -1,9 +1,10 @@
 //! The perturbation with actual numbers in place of infinitesimals.
 //!
-//! The height of the point of rank `r` is `|p|^2 + 2^(B (r - n))`, and all is scaled by `2^(B n)` to be an integer. The lifted
-//! determinant is linear in the heights, with coefficients `O` of at most `k! 2^(k (b+1))` for `b`-bit coordinates;
-//! there are `k + 2` of them. With `2^B` more than twice `k+2` times that, each rank outweighs all lower ones together,
-//! and a nonzero unperturbed determinant outweighs all ranks: no tie is left, and the sign is that of the symbolic rule.
+//! The height of the point of rank `r` is `|p|^2 + 2^(B (r - n))`, and all is scaled by `2^(B n)`
+//! to be an integer. The lifted determinant is linear in the heights, with coefficients `O` of at
+//! most `k! 2^(k (b+1))` for `b`-bit coordinates; there are `k + 2` of them. With `2^B` more than
+//! twice `k+2` times that, each rank outweighs all lower ones together, and a nonzero unperturbed
+//! determinant outweighs all ranks: no tie is left, and the sign is that of the symbolic rule.
 
 use super::{framed, simplices};
 use crate::exact::determinant::determinant;
@@ -11,7 +12,8 @@ use crate::exact::lattice::Span;
 use crate::exact::{Integer, Lattice, Number, Pure, Sign};
 use crate::space::Space;
 
-/// The Delaunay triangulation as the lower hull of explicitly perturbed heights. For small integer coordinates.
+/// The Delaunay triangulation as the lower hull of explicitly perturbed heights. For small integer
+/// coordinates.
 #[must_use]
 pub fn delaunay_by_epsilon<const D: usize>(points: &[[f64; D]]) -> Vec<Vec<u32>> {
     let (ids, space) = framed(Space::<'_, D, Pure>::new(points, false));

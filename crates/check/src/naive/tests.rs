@@ -76,7 +76,6 @@ pub(crate) fn noded_segments(
             segments.push(new);
         }
     }
-    // Crossings in a point of the interior of one and the other are at a vertex of the input, or are removed here.
     segments
 }
 

@@ -1,11 +1,13 @@
-//! Constrained Delaunay triangles by their definition: no constraint crosses them, and no point that their interior sees is
-//! in conflict with them.
+//! Constrained Delaunay triangles by their definition: no constraint crosses them, and no point
+//! that their interior sees is in conflict with them.
 //!
-//! **Visibility.** Point `q` outside a triangle sees its interior iff along some direction the ray from `q` enters the
-//! triangle before, or without, meeting a constraint. Sort the directions from `q` to all ends of constraints and to
-//! the corners, within the angle under which `q` sees the triangle. Between two consecutive ones nothing
-//! changes (constraints do not cross), so one direction in each gap decides: the sum of its two neighbours. Along it compare the
-//! first constraint hit with the entry into the triangle, as exact fractions; a constraint on the entered edge blocks.
+//! **Visibility.** Point `q` outside a triangle sees its interior iff along some direction the ray
+//! from `q` enters the triangle before, or without, meeting a constraint. Sort the directions from
+//! `q` to all ends of constraints and to the corners, within the angle under which `q` sees the
+//! triangle. Between two consecutive ones nothing changes (constraints do not cross), so one
+//! direction in each gap decides: the sum of its two neighbours. Along it compare the first
+//! constraint hit with the entry into the triangle, as exact fractions; a constraint on the entered
+//! edge blocks.
 
 use super::{framed, simplices};
 use crate::exact::lattice::Span;
@@ -17,8 +19,9 @@ type Vector = [Pure; 2];
 
 /// The constrained Delaunay triangulation by its definition, under the perturbation.
 ///
-/// Points may lie on segments and segments may overlap, but two segments must not cross in a point that is not one of `points`.
-/// Segments with an end out of range are ignored. On collinear points the answer is that of [`delaunay`](super::delaunay).
+/// Points may lie on segments and segments may overlap, but two segments must not cross in a point
+/// that is not one of `points`. Segments with an end out of range are ignored. On collinear points
+/// the answer is that of [`delaunay`](super::delaunay).
 #[must_use]
 pub fn constrained(points: &[[f64; 2]], segments: &[[u32; 2]]) -> Vec<Vec<u32>> {
     let (ids, space) = framed(Space::<'_, 2, Pure>::new(points, true));
@@ -76,7 +79,8 @@ impl Scene {
         }
         let from_q = |v: u32| difference(&self.at[v as usize], &self.at[q as usize]);
         let corners = triangle.map(from_q);
-        // The triangle is seen under less than a half turn, from its rightmost corner to its leftmost.
+        // The triangle is seen under less than a half turn, from its rightmost corner to its
+        // leftmost.
         let rightmost =
             corners.iter().find(|c| corners.iter().all(|d| cross(c, d) != Sign::Negative));
         let leftmost =

@@ -39,7 +39,8 @@ fn the_greatest_point_leaves_the_circle() {
     assert_eq!(on(&[0, 3, 2], 1), Place::On { perturbed_inside: true });
 }
 
-/// All numbers, filtered or not, on points of the whole range and on small grids: one verdict, from either side of a facet.
+/// All numbers, filtered or not, on points of the whole range and on small grids: one verdict, from
+/// either side of a facet.
 #[test]
 fn every_arithmetic_gives_the_same_place() {
     let mut random = Random(11);
