@@ -44,7 +44,7 @@ pub struct Document {
     pub polygons: Vec<Vec<u32>>,
     /// Cells with four corners.
     pub tets: Vec<[u32; 4]>,
-    /// Attributes of triangles (or of tets, when there are some), `attributes_per_cell` each.
+    /// Attributes of the triangles (in the plane) or tets (in space), `attributes_per_cell` each.
     pub cell_attributes: Vec<f64>,
     /// Length of a cell's run in `cell_attributes`.
     pub attributes_per_cell: usize,
@@ -175,3 +175,6 @@ impl Document {
         flat
     }
 }
+
+#[cfg(test)]
+mod tests;

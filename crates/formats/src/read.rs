@@ -7,6 +7,7 @@ use crate::document::Document;
 use crate::error::{ReadError, at};
 use crate::format::Format;
 use crate::lists::contours::Runs;
+use crate::triangle::poly::Facets;
 use crate::{
     json, jts_xml, lar, lists, obj, off, ply, stl, svg, text, triangle, wkt, wkt_table, xyz, xz,
 };
@@ -115,7 +116,8 @@ fn read_format(
         Format::Clipper => return lists::clipper::read(text),
         Format::Manifold => return lists::manifold::read(text),
         Format::Node => triangle::node::read(text),
-        Format::Poly => triangle::poly::read(text, nodes),
+        Format::Poly => triangle::poly::read(text, nodes, Facets::Compound),
+        Format::Smesh => triangle::poly::read(text, nodes, Facets::Simple),
         Format::Ele => triangle::ele::read(text, nodes),
         Format::Edge => triangle::edge::read(text, nodes),
         Format::Csv | Format::Xyz => xyz::read(text),
