@@ -145,9 +145,22 @@ impl Document {
     pub(crate) fn push_point(&mut self, point: &[f64], line: usize) -> Result<u32, ReadError> {
         let index = u32::try_from(self.point_count())
             .map_err(|_| ReadError::TooMany { at: at(line), of: "points" })?;
-        self.points.extend_from_slice(&point[..self.dimension]);
+        let point = &point[..self.dimension];
+        if point.iter().any(|x| !x.is_finite()) {
+            self.note_not_finite(index, line);
+        }
+        self.points.extend_from_slice(point);
         self.points_listed += 1;
         Ok(index)
+    }
+
+    /// Non-finite coordinates are the caller's to refuse; the first one's place is said here, where it is known.
+    fn note_not_finite(&mut self, index: u32, line: usize) {
+        const SAID: &str = "is the first that is not finite";
+        if !self.notes.iter().any(|note| note.contains(SAID)) {
+            let place = if line > 0 { format!(", line {line}") } else { String::new() };
+            self.note(format!("point {index}{place}, {SAID}"));
+        }
     }
 
     /// Adds a face, sorted into the list of its kind.

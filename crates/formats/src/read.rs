@@ -52,7 +52,12 @@ pub fn read_path(path: &Path, format: Option<Format>) -> Result<Vec<Document>, R
     let io = |source| ReadError::Io { at: at(0), source }.in_file(&name);
     let bytes = fs::read(path).map_err(io)?;
     let wants_nodes = format.or_else(|| Format::from_path(&name)).is_some_and(Format::wants_nodes);
-    let beside = path.with_extension("node");
+    let beside = match path.extension() {
+        Some(ending) if ending.eq_ignore_ascii_case("xz") => {
+            path.with_extension("").with_extension("node")
+        }
+        _ => path.with_extension("node"),
+    };
     let nodes =
         if wants_nodes && beside.is_file() { Some(fs::read(&beside).map_err(io)?) } else { None };
     read_bytes(&Source { name: &name, bytes: &bytes, format, nodes: nodes.as_deref() })

@@ -28,7 +28,9 @@ fn what_is_no_coordinate_is_said() {
 
 #[test]
 fn not_a_number_is_passed_on() {
-    assert!(read_named("a.xy", "nan inf\n").points[0].is_nan());
+    let document = read_named("a.xy", "0 0\n\nnan inf\n-inf 1\n");
+    assert!(document.points[2].is_nan());
+    assert_eq!(document.notes, ["point 1, line 3, is the first that is not finite"]);
 }
 
 #[test]
