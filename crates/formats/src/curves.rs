@@ -22,3 +22,6 @@ pub(crate) fn flatten(from: [f64; 2], controls: &[[f64; 2]], out: &mut Vec<[f64;
 fn between(a: [f64; 2], b: [f64; 2], t: f64) -> [f64; 2] {
     [a[0] * (1.0 - t) + b[0] * t, a[1] * (1.0 - t) + b[1] * t]
 }
+
+#[cfg(test)]
+mod tests;

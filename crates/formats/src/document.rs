@@ -44,7 +44,7 @@ pub struct Document {
     pub polygons: Vec<Vec<u32>>,
     /// Cells with four corners.
     pub tets: Vec<[u32; 4]>,
-    /// Attributes of triangles (or of tets, when there are some), `attributes_per_cell` each.
+    /// Attributes of the triangles (in the plane) or tets (in space), `attributes_per_cell` each.
     pub cell_attributes: Vec<f64>,
     /// Length of a cell's run in `cell_attributes`.
     pub attributes_per_cell: usize,
@@ -145,9 +145,22 @@ impl Document {
     pub(crate) fn push_point(&mut self, point: &[f64], line: usize) -> Result<u32, ReadError> {
         let index = u32::try_from(self.point_count())
             .map_err(|_| ReadError::TooMany { at: at(line), of: "points" })?;
-        self.points.extend_from_slice(&point[..self.dimension]);
+        let point = &point[..self.dimension];
+        if point.iter().any(|x| !x.is_finite()) {
+            self.note_not_finite(index, line);
+        }
+        self.points.extend_from_slice(point);
         self.points_listed += 1;
         Ok(index)
+    }
+
+    /// Non-finite coordinates are the caller's to refuse; the first one's place is said here, where it is known.
+    fn note_not_finite(&mut self, index: u32, line: usize) {
+        const SAID: &str = "is the first that is not finite";
+        if !self.notes.iter().any(|note| note.contains(SAID)) {
+            let place = if line > 0 { format!(", line {line}") } else { String::new() };
+            self.note(format!("point {index}{place}, {SAID}"));
+        }
     }
 
     /// Adds a face, sorted into the list of its kind.
@@ -175,3 +188,6 @@ impl Document {
         flat
     }
 }
+
+#[cfg(test)]
+mod tests;

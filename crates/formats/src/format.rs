@@ -2,7 +2,7 @@
 //!
 //! | ending | format |
 //! |---|---|
-//! | `.node .poly .ele .edge .neigh .csv .off .obj .ply .stl .wkt .svg .edg .lar.json .geojson` | that of the name |
+//! | `.node .poly .smesh .ele .edge .neigh .csv .off .obj .ply .stl .wkt .svg .edg .lar.json .geojson` | that of the name |
 //! | `.xyz .pts .pwn` | point list |
 //! | `.json .xml .txt .dat .xy .cin` and all others | by content |
 //! | `..xz` | by the name without it |
@@ -23,6 +23,8 @@ pub enum Format {
     Node,
     /// Triangle and TetGen `.poly`.
     Poly,
+    /// TetGen `.smesh`, read only.
+    Smesh,
     /// Triangle and TetGen `.ele`.
     Ele,
     /// Triangle `.edge`.
@@ -81,9 +83,10 @@ pub enum Format {
 
 impl Format {
     /// All formats with the names that `--format` takes.
-    pub const NAMES: [(Self, &str); 29] = [
+    pub const NAMES: [(Self, &str); 30] = [
         (Self::Node, "node"),
         (Self::Poly, "poly"),
+        (Self::Smesh, "smesh"),
         (Self::Ele, "ele"),
         (Self::Edge, "edge"),
         (Self::Neigh, "neigh"),
@@ -130,8 +133,8 @@ impl Format {
         Some(match ending {
             "xyz" | "pts" | "pwn" => Self::Xyz,
             "edg" => Self::SegmentList,
-            "node" | "poly" | "ele" | "edge" | "neigh" | "csv" | "off" | "obj" | "ply" | "stl"
-            | "geojson" | "wkt" | "svg" => return Self::from_name(ending),
+            "node" | "poly" | "smesh" | "ele" | "edge" | "neigh" | "csv" | "off" | "obj"
+            | "ply" | "stl" | "geojson" | "wkt" | "svg" => return Self::from_name(ending),
             _ => return None,
         })
     }
@@ -168,7 +171,7 @@ impl Format {
 
     /// Whether the points are in a `.node` file beside.
     pub(crate) fn wants_nodes(self) -> bool {
-        matches!(self, Self::Poly | Self::Ele | Self::Edge)
+        matches!(self, Self::Poly | Self::Smesh | Self::Ele | Self::Edge)
     }
 }
 

@@ -59,6 +59,8 @@ mod read;
 mod shapes;
 mod stl;
 mod svg;
+#[cfg(test)]
+mod testing;
 mod text;
 mod triangle;
 mod wkb;

@@ -20,9 +20,7 @@ pub(crate) fn read(text: &str) -> Result<Document, ReadError> {
     };
     let mut line = next("OFF")?;
     let keyword = line.fields().next().unwrap_or("");
-    if !keyword.ends_with("OFF")
-        || keyword.trim_start_matches(['S', 'T', 'C', 'N', '4', 'n']) != "OFF"
-    {
+    if !keyword.ends_with("OFF") || keyword.trim_start_matches(['S', 'T', 'C', 'N', 'n']) != "OFF" {
         return Err(ReadError::malformed(line.number, "OFF or nOFF", line.text));
     }
     let mut counts: Vec<&str> = line.fields().skip(1).collect();

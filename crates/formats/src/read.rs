@@ -7,6 +7,7 @@ use crate::document::Document;
 use crate::error::{ReadError, at};
 use crate::format::Format;
 use crate::lists::contours::Runs;
+use crate::triangle::poly::Facets;
 use crate::{
     json, jts_xml, lar, lists, obj, off, ply, stl, svg, text, triangle, wkt, wkt_table, xyz, xz,
 };
@@ -51,7 +52,12 @@ pub fn read_path(path: &Path, format: Option<Format>) -> Result<Vec<Document>, R
     let io = |source| ReadError::Io { at: at(0), source }.in_file(&name);
     let bytes = fs::read(path).map_err(io)?;
     let wants_nodes = format.or_else(|| Format::from_path(&name)).is_some_and(Format::wants_nodes);
-    let beside = path.with_extension("node");
+    let beside = match path.extension() {
+        Some(ending) if ending.eq_ignore_ascii_case("xz") => {
+            path.with_extension("").with_extension("node")
+        }
+        _ => path.with_extension("node"),
+    };
     let nodes =
         if wants_nodes && beside.is_file() { Some(fs::read(&beside).map_err(io)?) } else { None };
     read_bytes(&Source { name: &name, bytes: &bytes, format, nodes: nodes.as_deref() })
@@ -115,7 +121,8 @@ fn read_format(
         Format::Clipper => return lists::clipper::read(text),
         Format::Manifold => return lists::manifold::read(text),
         Format::Node => triangle::node::read(text),
-        Format::Poly => triangle::poly::read(text, nodes),
+        Format::Poly => triangle::poly::read(text, nodes, Facets::Compound),
+        Format::Smesh => triangle::poly::read(text, nodes, Facets::Simple),
         Format::Ele => triangle::ele::read(text, nodes),
         Format::Edge => triangle::edge::read(text, nodes),
         Format::Csv | Format::Xyz => xyz::read(text),

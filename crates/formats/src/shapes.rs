@@ -114,3 +114,6 @@ impl Shapes {
         self.document
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -156,3 +156,6 @@ pub(crate) fn index(
 pub(crate) fn is_count(text: &str) -> bool {
     !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit())
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,7 +1,7 @@
 //! Point lists: `.xyz .pts .pwn .xy .csv` and plain `.txt`, one point a line.
 //!
 //! **In.** Two columns are points in the plane, three and more are points in space; what comes after the third column
-//! (normals, colours) is dropped and noted. A first line with one whole number is a count, a first line of four
+//! (normals, colours, weights) is kept as attributes and noted. A first line with one whole number is a count, a first line of four
 //! numbers before lines of two is a bounding box; a CSV may have a header line that names its columns (`x`, `y`, `z`,
 //! `w` or `weight`; any other column becomes an attribute). `#` starts a comment. Contour files put `{`, `}`,
 //! `v ..` or `//v ..` lines between their points: those lines are left out and counted.
@@ -79,9 +79,12 @@ fn read_columns<'a>(rows: impl Iterator<Item = Line<'a>>) -> Result<Document, Re
         }
         document.dimension = expected.min(3);
         document.push_point(&row, line.number)?;
+        document.attributes_per_point = expected.saturating_sub(3);
+        document.attributes.extend(row.iter().skip(3));
     }
     if width > Some(3) {
-        document.note(format!("columns after the third dropped ({} columns)", width.unwrap_or(0)));
+        let width = width.unwrap_or(0);
+        document.note(format!("{width} columns: those after the third kept as attributes"));
     }
     if skipped > 0 {
         document.note(format!("{skipped} lines that hold no point left out"));

@@ -26,3 +26,6 @@ pub(crate) fn decompress(bytes: &[u8]) -> Result<Vec<u8>, ReadError> {
         Err(error) => Err(ReadError::Compression { at: at(0), found: error.to_string() }),
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -21,6 +21,8 @@ pub(super) fn by_content(path: &str, bytes: &[u8]) -> Option<Format> {
         Some(Format::Clipper)
     } else if leader.ends_with("OFF") {
         Some(Format::Off)
+    } else if leader == "v" {
+        Some(Format::Obj)
     } else if matches!(leader, "p" | "s") {
         Some(Format::Cin)
     } else if wkt::looks_like(first.text) && !first.text.contains('|') {

@@ -54,9 +54,9 @@ pub(crate) fn read(text: &str, nodes: Option<&str>) -> Result<Document, ReadErro
     Ok(document)
 }
 
-/// Cells of a document: tets if there are some, triangles otherwise.
+/// Cells of a document: triangles in the plane, tets in space.
 pub(super) fn cells(document: &Document) -> Vec<&[u32]> {
-    if document.tets.is_empty() {
+    if document.dimension == 2 {
         document.triangles.iter().map(|t| &t[..]).collect()
     } else {
         document.tets.iter().map(|t| &t[..]).collect()

@@ -1,4 +1,4 @@
-//! `.poly`: points as in `.node` (or `0` of them: they are in the `.node` file beside), segments, holes, regions.
+//! `.poly` and `.smesh`: points as in `.node` (or `0` of them: they are in the `.node` file beside), segments, holes, regions.
 //!
 //! In space (TetGen) facets stand in place of segments: a facet is one or more polygons and the holes in them. Its
 //! polygons of two corners become segments, of one corner are dropped; which polygons shared a facet, facet holes and
@@ -12,7 +12,16 @@ use crate::error::ReadError;
 use crate::text::{Line, index};
 use crate::write::{Lost, shortest};
 
-pub(crate) fn read(text: &str, nodes: Option<&str>) -> Result<Document, ReadError> {
+/// How facets in space are listed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Facets {
+    /// `.poly`: each a head, then its polygons and holes.
+    Compound,
+    /// `.smesh`: each one polygon on one line, with its marker.
+    Simple,
+}
+
+pub(crate) fn read(text: &str, nodes: Option<&str>, facets: Facets) -> Result<Document, ReadError> {
     let mut items = Items::new(text);
     let header = items.next("`points dimension attributes markers`")?;
     let mut document = if header.fields().next() == Some("0") {
@@ -21,10 +30,10 @@ pub(crate) fn read(text: &str, nodes: Option<&str>) -> Result<Document, ReadErro
     } else {
         node::read_points(&header, &mut items)?
     };
-    if document.dimension == 2 {
-        read_segments(&mut items, &mut document)?;
-    } else {
-        read_facets(&mut items, &mut document)?;
+    match (document.dimension, facets) {
+        (2, Facets::Compound) => read_segments(&mut items, &mut document)?,
+        (_, Facets::Compound) => read_facets(&mut items, &mut document)?,
+        (_, Facets::Simple) => read_simple_facets(&mut items, &mut document)?,
     }
     read_holes_and_regions(&mut items, &mut document)?;
     items.finish()?;
@@ -86,7 +95,18 @@ fn read_facets(items: &mut Items<'_>, document: &mut Document) -> Result<(), Rea
     Ok(())
 }
 
-/// `corners c1 c2 ..`, over as many lines as it takes.
+fn read_simple_facets(items: &mut Items<'_>, document: &mut Document) -> Result<(), ReadError> {
+    let (_, [facets, markers]) = items.header("`facets markers`", [0, 0])?;
+    for _ in 0..facets {
+        read_polygon(items, document)?;
+    }
+    if markers > 0 && facets > 0 {
+        document.note("facet markers dropped");
+    }
+    Ok(())
+}
+
+/// `corners c1 c2 ..`, over as many lines as it takes; what else is on the last line (a marker) is left.
 fn read_polygon(items: &mut Items<'_>, document: &mut Document) -> Result<(), ReadError> {
     let (points, first) = (document.point_count(), usize::from(document.first_index == 1));
     let mut line: Line<'_> = items.next("the next polygon")?;
