@@ -8,6 +8,8 @@ use crate::{Input, Rng};
 
 /// Part of the way from an edge to the border of its kite that a displacement may take.
 const ROUGHNESS: f64 = 0.8;
+/// Each is tried against all that is there, so their number must not grow with n for ever.
+const ISLANDS_MAX: usize = 240;
 
 /// Exactly `n` sites, unless doubles run out of room first. Under 16 sites the frame is left out.
 pub(crate) fn coast(n: usize, rng: &mut Rng) -> Input {
@@ -21,8 +23,7 @@ pub(crate) fn coast(n: usize, rng: &mut Rng) -> Input {
     continent(&mut curves, budget.min(8), rng);
     // Bays and capes first, islands and lakes between them, then islands in the lakes, then the detail.
     curves.refine(budget.min(400).div_ceil(2), ROUGHNESS, rng);
-    let islands = side(budget) / 3;
-    for _ in 0..islands {
+    for _ in 0..(side(budget) / 3).min(ISLANDS_MAX) {
         strew(&mut curves, &mut disks, budget, rng);
     }
     // Until their shores are known, kites fill the lakes.
