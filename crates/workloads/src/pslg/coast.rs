@@ -2,9 +2,9 @@
 
 use super::Graph;
 use super::kites::{Curves, distance};
-use crate::num::{real, side};
+use crate::num::{pow2, real, side};
 use crate::points2d::circles::{quarter, turned};
-use crate::{Input, Rng};
+use crate::{Input, Points, Rng};
 
 /// Part of the way from an edge to the border of its kite that a displacement may take.
 const ROUGHNESS: f64 = 0.8;
@@ -38,6 +38,23 @@ pub(crate) fn coast(n: usize, rng: &mut Rng) -> Input {
         graph.polygon([[0.0, 0.0], [4.0, 0.0], [4.0, 3.0], [0.0, 3.0]]);
     }
     graph.finish()
+}
+
+fn scaled(mut input: Input, by: f64) -> Input {
+    if let Points::Plane(points) = &mut input.points {
+        points.iter_mut().flatten().for_each(|x| *x *= by);
+    }
+    input
+}
+
+/// A coast times 2^-900, exact: products of two coordinates vanish.
+pub(crate) fn tiny(n: usize, rng: &mut Rng) -> Input {
+    scaled(coast(n, rng), pow2(-900))
+}
+
+/// A coast times 2^900, exact: products of two coordinates overflow.
+pub(crate) fn huge(n: usize, rng: &mut Rng) -> Input {
+    scaled(coast(n, rng), pow2(900))
 }
 
 /// Corners around a centre, at even angles in the rational parametrisation, each at its own distance.
