@@ -52,16 +52,27 @@ impl Solid<'_> {
         out
     }
 
-    /// Right, up, towards the eye, in pixels with y down; the bounding ball fits the picture.
+    /// Right, down, towards the eye, in pixels: turned inside the unit cube, then fitted to the picture.
     fn places(&self) -> Vec<Option<[f64; 3]>> {
         let frame = Frame::around(self.points);
-        let scale = (SIZE - 2.0 * MARGIN) / 3.0_f64.sqrt();
         let turn = |p: [f64; 3]| {
             let p: [f64; 3] = std::array::from_fn(|i| (p[i] - 0.5) * frame.proportions[i]);
-            let [x, y, depth] = VIEW.map(|row| dot(row, p));
-            [SIZE / 2.0 + scale * x, SIZE / 2.0 - scale * y, scale * depth]
+            let [right, up, depth] = VIEW.map(|row| dot(row, p));
+            [right, -up, depth]
         };
-        self.points.iter().map(|&p| frame.unit(p).map(turn)).collect()
+        let turned: Vec<_> = self.points.iter().map(|&p| frame.unit(p).map(turn)).collect();
+        let span = |i: usize| {
+            let along = || turned.iter().flatten().map(|p| p[i]);
+            (along().fold(f64::INFINITY, f64::min), along().fold(f64::NEG_INFINITY, f64::max))
+        };
+        let ((left, right), (top, bottom)) = (span(0), span(1));
+        let extent = (right - left).max(bottom - top);
+        let scale = (SIZE - 2.0 * MARGIN) / if extent > 0.0 { extent } else { 1.0 };
+        let fit = |[x, y, depth]: [f64; 3]| {
+            let [x, y] = [x - (left + right) / 2.0, y - (top + bottom) / 2.0];
+            [SIZE / 2.0 + scale * x, SIZE / 2.0 + scale * y, scale * depth]
+        };
+        turned.into_iter().map(|p| p.map(fit)).collect()
     }
 
     /// Facets of one tetrahedron only, and those given, in order.

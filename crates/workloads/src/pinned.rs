@@ -15,7 +15,7 @@ fn contract_of_fingerprints() {
     }
 }
 
-const PINNED: [(&str, u64); 76] = [
+const PINNED: [(&str, u64); 78] = [
     ("uniform", 0x6cdc_587c_b0db_3220), // twice
     ("gauss", 0x3c53_bd75_8595_107b),
     ("clusters", 0x6d52_7107_1c4d_ac20),
@@ -77,6 +77,8 @@ const PINNED: [(&str, u64); 76] = [
     ("star-polygon", 0x90bd_e73a_3bff_ba39),
     ("nested-polygons", 0xb9fc_00d9_59c0_6505), // twice
     ("coast", 0xd010_5ca3_d558_b657),
+    ("coast-tiny", 0x5e5f_7431_a009_13d9),
+    ("coast-huge", 0xacaf_44de_377b_38f9),
     ("streets", 0x1c24_f30a_a353_5aad),
     ("hilbert", 0xc076_1549_2ba6_6502),
     ("koch", 0x53fe_4bd8_1ec7_1b09),

@@ -2,12 +2,14 @@
 
 use super::Graph;
 use super::kites::{Curves, distance};
-use crate::num::{real, side};
+use crate::num::{pow2, real, side};
 use crate::points2d::circles::{quarter, turned};
-use crate::{Input, Rng};
+use crate::{Input, Points, Rng};
 
 /// Part of the way from an edge to the border of its kite that a displacement may take.
 const ROUGHNESS: f64 = 0.8;
+/// Each is tried against all that is there, so their number must not grow with n for ever.
+const ISLANDS_MAX: usize = 240;
 
 /// Exactly `n` sites, unless doubles run out of room first. Under 16 sites the frame is left out.
 pub(crate) fn coast(n: usize, rng: &mut Rng) -> Input {
@@ -21,8 +23,7 @@ pub(crate) fn coast(n: usize, rng: &mut Rng) -> Input {
     continent(&mut curves, budget.min(8), rng);
     // Bays and capes first, islands and lakes between them, then islands in the lakes, then the detail.
     curves.refine(budget.min(400).div_ceil(2), ROUGHNESS, rng);
-    let islands = side(budget) / 3;
-    for _ in 0..islands {
+    for _ in 0..(side(budget) / 3).min(ISLANDS_MAX) {
         strew(&mut curves, &mut disks, budget, rng);
     }
     // Until their shores are known, kites fill the lakes.
@@ -37,6 +38,23 @@ pub(crate) fn coast(n: usize, rng: &mut Rng) -> Input {
         graph.polygon([[0.0, 0.0], [4.0, 0.0], [4.0, 3.0], [0.0, 3.0]]);
     }
     graph.finish()
+}
+
+fn scaled(mut input: Input, by: f64) -> Input {
+    if let Points::Plane(points) = &mut input.points {
+        points.iter_mut().flatten().for_each(|x| *x *= by);
+    }
+    input
+}
+
+/// A coast times 2^-900, exact: products of two coordinates vanish.
+pub(crate) fn tiny(n: usize, rng: &mut Rng) -> Input {
+    scaled(coast(n, rng), pow2(-900))
+}
+
+/// A coast times 2^900, exact: products of two coordinates overflow.
+pub(crate) fn huge(n: usize, rng: &mut Rng) -> Input {
+    scaled(coast(n, rng), pow2(900))
 }
 
 /// Corners around a centre, at even angles in the rational parametrisation, each at its own distance.

@@ -1,5 +1,6 @@
 //! Brute force in exact arithmetic (`robust`, whose doubles are exact in sign) over every pair of segments and sites.
 
+use crate::num::pow2;
 use crate::{Input, Kind, Meets, Workload, all, generate};
 use robust::{Coord, orient2d};
 use std::cmp::Ordering;
@@ -45,9 +46,20 @@ fn meet(s: [Point; 2], t: [Point; 2]) -> Meets {
     if inside > 0 { Meets::InsideOne } else { Meets::AtEnds }
 }
 
+/// `robust` needs products that neither vanish nor overflow: scaled back by a power of two, which is exact.
+fn ordinary(points: &[Point]) -> Vec<Point> {
+    let size = points.iter().flatten().fold(0.0, |m: f64, x| m.max(x.abs()));
+    let by = match size {
+        1e200.. => pow2(-900),
+        0.0..1e-200 => pow2(900),
+        _ => 1.0,
+    };
+    points.iter().map(|p| p.map(|x| x * by)).collect()
+}
+
 /// The worst meeting of an input, sites that belong to no segment and equal sites included.
 fn worst(input: &Input) -> Meets {
-    let points = input.points.plane().unwrap();
+    let points = &ordinary(input.points.plane().unwrap());
     let segments: Vec<[Point; 2]> =
         input.segments.iter().map(|s| s.map(|v| points[v as usize])).collect();
     let mut worst = Meets::AtEnds;

@@ -3,7 +3,7 @@
 use super::{Meets, Workload, graph};
 use crate::pslg::{circles, coast, crossing, curves, lattices, long, polygons, scatter, touching};
 
-pub(super) const ROWS: [Workload; 24] = [
+pub(super) const ROWS: [Workload; 26] = [
     graph("random-segments", scatter::sparse, "a random short segment in each cell of a grid"),
     graph(
         "dense-segments",
@@ -23,6 +23,8 @@ pub(super) const ROWS: [Workload; 24] = [
         coast::coast,
         "a fractal continent with islands, lakes and islands in the lakes, in a frame",
     ),
+    graph("coast-tiny", coast::tiny, "a coast times 2^-900, exact"),
+    graph("coast-huge", coast::huge, "a coast times 2^900, exact"),
     graph("streets", polygons::streets, "city blocks between streets, one in five missing")
         .rounding("n rounded down to a multiple of 4; below 4, isolated sites"),
     graph("hilbert", curves::hilbert, "the Hilbert curve, the last turn cut off at n"),
