@@ -2,7 +2,7 @@
 
 use delone_delaunay::{KernelKind, Options, delaunay};
 use delone_predicates::{Adaptive, Exact, PlaneKernel};
-use delone_probe::{Counts, Probe};
+use delone_probe::Probe;
 use delone_sites::Pslg;
 
 use crate::{Cdt, chain, insert_segments};
@@ -16,8 +16,8 @@ pub struct Algorithm {
     pub papers: &'static [&'static str],
     /// Runs it.
     pub run: fn(&Pslg, &Options) -> Cdt,
-    /// Runs it and counts what it does.
-    pub run_counted: fn(&Pslg, &Options, &mut Counts) -> Cdt,
+    /// Runs it and tells the probe.
+    pub run_with: fn(&Pslg, &Options, &mut dyn Probe) -> Cdt,
 }
 
 /// All algorithms.
@@ -27,7 +27,7 @@ pub fn algorithms() -> Vec<Algorithm> {
         name: "cavity",
         papers: &["SB15", "Ang97"],
         run: |pslg, options| cavity(pslg, options, &mut ()),
-        run_counted: |pslg, options, counts| cavity(pslg, options, counts),
+        run_with: |pslg, options, mut probe| cavity(pslg, options, &mut probe),
     }]
 }
 

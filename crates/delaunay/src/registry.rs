@@ -1,7 +1,7 @@
 //! Every Delaunay algorithm by name: what the lab, the tests and the benches walk.
 
 use delone_predicates::{Adaptive, Exact};
-use delone_probe::{Counts, Probe};
+use delone_probe::Probe;
 use delone_sites::Sites;
 
 use crate::{Delaunay, bowyer_watson};
@@ -52,8 +52,8 @@ pub struct Algorithm<const D: usize> {
     pub papers: &'static [&'static str],
     /// Runs it.
     pub run: fn(&Sites<D>, &Options) -> Delaunay<D>,
-    /// Runs it and counts what it does.
-    pub run_counted: fn(&Sites<D>, &Options, &mut Counts) -> Delaunay<D>,
+    /// Runs it and tells the probe.
+    pub run_with: fn(&Sites<D>, &Options, &mut dyn Probe) -> Delaunay<D>,
 }
 
 /// All algorithms that run in D dimensions.
@@ -63,7 +63,7 @@ pub fn algorithms<const D: usize>() -> Vec<Algorithm<D>> {
         name: "bowyer-watson",
         papers: &["Bow81", "Wat81", "DT11", "ACR03"],
         run: |sites, options| delaunay(sites, options, &mut ()),
-        run_counted: |sites, options, counts| delaunay(sites, options, counts),
+        run_with: |sites, options, mut probe| delaunay(sites, options, &mut probe),
     }]
 }
 
