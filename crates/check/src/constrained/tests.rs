@@ -135,6 +135,20 @@ fn segment_past_its_end() {
     assert!(case(&[[0, 5]], &[]).judged().has("segment-out-of-range"));
 }
 
+/// A lost site inside an edge: the chain must not run past it, nor turn back for it.
+#[test]
+fn segment_that_ends_inside_an_edge() {
+    let points = [[0.0, 0.0], [4.0, 0.0], [2.0, 2.0], [1.0, 0.0]];
+    for segment in [[0, 3], [3, 0], [1, 3], [3, 1], [3, 2]] {
+        let case = Case {
+            complex: Owned::new(&points, 2, &[0, 1, 2]),
+            segments: vec![segment],
+            flags: vec![],
+        };
+        assert!(case.rejected("broken-segment").has("unused-point"));
+    }
+}
+
 #[test]
 fn flip_of_an_unconstrained_edge() {
     // Convex position: both diagonals are possible, one is Delaunay.
