@@ -291,3 +291,22 @@ fn star_of_chains() {
     assert!(!verdict.has("broken-segment") && !verdict.has("missing-flag"), "{verdict}");
     assert_eq!(verdict.counts.keys().filter(|k| k.contains("flag")).count(), 0);
 }
+
+#[test]
+#[ignore = "a million triangles: run it in release"]
+fn million_with_every_row_constrained() {
+    let side = 707;
+    let complex = square_grid(side);
+    let row = |j: u32| j * (side + 1);
+    let segments = (0..=side).map(|j| [row(j), row(j) + side]).collect();
+    let flags =
+        (0..=side).flat_map(|j| (0..side).map(move |i| [row(j) + i, row(j) + i + 1])).collect();
+    let case = Case { complex, segments, flags };
+    let verdict = judge_constrained(
+        &case.complex.complex(),
+        &case.segments,
+        &case.flags,
+        &Options::default(),
+    );
+    assert!(verdict.ok && verdict.level == Level::Constrained, "{verdict}");
+}
