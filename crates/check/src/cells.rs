@@ -79,19 +79,28 @@ impl<'a, const D: usize, I: Integer> Triangulation<'a, D, I> {
 
     /// Restricts the space to axes on which some cell is not flat; returns that cell.
     fn choose_axes(&mut self) -> Option<usize> {
-        let k = self.dimension;
-        let choices: Vec<Vec<usize>> = (0..1usize << D)
-            .filter(|mask| mask.count_ones() as usize == k)
-            .map(|mask| (0..D).filter(|x| mask >> x & 1 == 1).collect())
-            .collect();
-        let found = (0..self.signs.len()).filter(|&c| self.signs[c].is_some()).find_map(|c| {
-            let axes = choices
-                .iter()
-                .find(|axes| self.space.orient_along(axes, self.cell(c)) != Sign::Zero)?;
-            Some((c, axes.clone()))
-        });
-        self.space.axes = found.as_ref().map_or((0..k).collect(), |(_, axes)| axes.clone());
+        let well_formed = (0..self.signs.len()).filter(|&c| self.signs[c].is_some());
+        let found = well_formed.into_iter().find_map(|c| Some((c, self.axes_of(self.cell(c))?)));
+        self.space.axes = match &found {
+            Some((_, axes)) => axes.clone(),
+            None => (0..self.dimension).collect(),
+        };
         found.map(|(cell, _)| cell)
+    }
+
+    /// Axes on which a simplex is not flat: one more for each vertex, by which it leaves the flat
+    /// of those before. `None` if there are none.
+    fn axes_of(&self, simplex: &[u32]) -> Option<Vec<usize>> {
+        let mut axes: Vec<usize> = Vec::new();
+        for end in 2..=simplex.len() {
+            let next = (0..D).filter(|x| !axes.contains(x)).find(|&x| {
+                let wider: Vec<usize> = axes.iter().copied().chain([x]).collect();
+                self.space.orient_along(&wider, &simplex[..end]) != Sign::Zero
+            })?;
+            axes.push(next);
+        }
+        axes.sort_unstable();
+        Some(axes)
     }
 
     /// T2: computes all signs, and turns cells over where the options allow it.

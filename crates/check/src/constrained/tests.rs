@@ -135,6 +135,20 @@ fn segment_past_its_end() {
     assert!(case(&[[0, 5]], &[]).judged().has("segment-out-of-range"));
 }
 
+/// A lost site inside an edge: the chain must not run past it, nor turn back for it.
+#[test]
+fn segment_that_ends_inside_an_edge() {
+    let points = [[0.0, 0.0], [4.0, 0.0], [2.0, 2.0], [1.0, 0.0]];
+    for segment in [[0, 3], [3, 0], [1, 3], [3, 1], [3, 2]] {
+        let case = Case {
+            complex: Owned::new(&points, 2, &[0, 1, 2]),
+            segments: vec![segment],
+            flags: vec![],
+        };
+        assert!(case.rejected("broken-segment").has("unused-point"));
+    }
+}
+
 #[test]
 fn flip_of_an_unconstrained_edge() {
     // Convex position: both diagonals are possible, one is Delaunay.
@@ -276,4 +290,23 @@ fn star_of_chains() {
     let verdict = case.judged();
     assert!(!verdict.has("broken-segment") && !verdict.has("missing-flag"), "{verdict}");
     assert_eq!(verdict.counts.keys().filter(|k| k.contains("flag")).count(), 0);
+}
+
+#[test]
+#[ignore = "a million triangles: run it in release"]
+fn million_with_every_row_constrained() {
+    let side = 707;
+    let complex = square_grid(side);
+    let row = |j: u32| j * (side + 1);
+    let segments = (0..=side).map(|j| [row(j), row(j) + side]).collect();
+    let flags =
+        (0..=side).flat_map(|j| (0..side).map(move |i| [row(j) + i, row(j) + i + 1])).collect();
+    let case = Case { complex, segments, flags };
+    let verdict = judge_constrained(
+        &case.complex.complex(),
+        &case.segments,
+        &case.flags,
+        &Options::default(),
+    );
+    assert!(verdict.ok && verdict.level == Level::Constrained, "{verdict}");
 }

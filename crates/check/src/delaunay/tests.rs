@@ -91,7 +91,14 @@ fn swapped_vertex() {
             kinds.extend(verdict.counts.into_keys());
         }
     }
-    for kind in ["crowded-facet", "folded-facet", "reflex-ridge", "open-boundary", "winds-again"] {
+    for kind in [
+        "crowded-facet",
+        "folded-facet",
+        "reflex-ridge",
+        "open-boundary",
+        "winds-again",
+        "unseen-facet",
+    ] {
         assert!(kinds.contains(kind), "{kinds:?}");
     }
 }

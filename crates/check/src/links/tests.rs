@@ -254,3 +254,24 @@ fn garbage_is_rejected_without_panic() {
         mesh.judged();
     }
 }
+
+#[test]
+#[ignore = "a million triangles: run it in release"]
+fn million() {
+    let solid = crate::testing::square_grid(707);
+    let mut vertices = solid.cells.clone();
+    let facets = Facets::new(3, &solid.cells, |_| Some(false));
+    for lone in facets.groups().filter(|g| g.len() == 1) {
+        let mut ghost = facets.cell(&lone[0]).to_vec();
+        ghost[lone[0].number % 3] = GHOST;
+        ghost.swap(0, 1);
+        vertices.extend(ghost);
+    }
+    let mut twins = vec![0; vertices.len()];
+    let facets = Facets::new(3, &vertices, |_| Some(false));
+    for pair in facets.groups() {
+        twins[pair[0].number] = u32::try_from(pair[1].number).unwrap();
+        twins[pair[1].number] = u32::try_from(pair[0].number).unwrap();
+    }
+    Glued { dimension: Some(2), vertices, twins }.accepted();
+}
