@@ -293,9 +293,8 @@ fn star_of_chains() {
 }
 
 #[test]
-#[ignore = "a million triangles: run it in release"]
-fn million_with_every_row_constrained() {
-    let side = 707;
+fn many_with_every_row_constrained() {
+    let side = 100;
     let complex = square_grid(side);
     let row = |j: u32| j * (side + 1);
     let segments = (0..=side).map(|j| [row(j), row(j) + side]).collect();
