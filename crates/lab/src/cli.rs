@@ -1,0 +1,264 @@
+//! The command line: every command and option, with what `--help` says.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap_complete::Shell;
+
+#[derive(Parser)]
+#[command(
+    name = "delone",
+    version,
+    about = "A laboratory for robust triangulation",
+    long_about = "A laboratory for robust triangulation: exact Delaunay and constrained Delaunay triangulations, judged \
+                  by a checker that shares nothing with them.",
+    after_help = "Exit status: 0 done (and, with --check, proved); 1 a judge or comparison found a difference;\n\
+                  2 bad usage or bad input, nothing written.\n\n\
+                  Examples:\n  \
+                  delone compare                              the built-in suite, every algorithm, judged and timed\n  \
+                  delone compare lake.poly --html report.html the same on a file, with a report to look at\n  \
+                  delone cdt lake.poly --check --svg lake.svg one triangulation, proved and drawn\n  \
+                  delone gen coast -n 10000 | delone cdt - --json"
+)]
+pub(crate) struct Arguments {
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+#[derive(Subcommand)]
+pub(crate) enum Command {
+    /// Run every algorithm on inputs (the built-in suite when none), judge, count, time and compare
+    Compare(Compare),
+    /// Delaunay triangulation, in the input's dimension
+    Delaunay(Triangulate),
+    /// Constrained Delaunay triangulation of a planar straight-line graph
+    Cdt(Cdt),
+    /// Judge any triangulation of an input, also another program's
+    Check(Check),
+    /// Generate a workload
+    Gen(Generate),
+    /// Convert between file formats
+    Convert(Convert),
+    /// Draw an input and its triangulation as SVG
+    Draw(Draw),
+    /// List the algorithms, the papers they follow, and what they are for
+    Cite,
+    /// Print a completion script for a shell
+    Completions {
+        /// Which shell
+        shell: Shell,
+    },
+    /// Print the manual page
+    Man,
+}
+
+#[derive(Args)]
+pub(crate) struct Source {
+    /// A file, or - for standard input
+    pub(crate) input: PathBuf,
+    /// The input's format, if neither ending nor content tells
+    #[arg(long)]
+    pub(crate) format: Option<String>,
+}
+
+#[derive(Args)]
+pub(crate) struct Triangulate {
+    #[command(flatten)]
+    pub(crate) source: Source,
+    #[command(flatten)]
+    pub(crate) run: Run,
+    #[command(flatten)]
+    pub(crate) report: Report,
+}
+
+#[derive(Args)]
+pub(crate) struct Cdt {
+    #[command(flatten)]
+    pub(crate) source: Source,
+    #[command(flatten)]
+    pub(crate) run: Run,
+    #[command(flatten)]
+    pub(crate) report: Report,
+    /// What to do with segments that cross
+    #[arg(long, value_enum, default_value_t = Crossings::Reject)]
+    pub(crate) crossings: Crossings,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Crossings {
+    /// List every crossing and stop
+    Reject,
+}
+
+/// How to run an algorithm.
+#[derive(Args, Clone)]
+pub(crate) struct Run {
+    /// Which algorithm (`delone cite` lists them)
+    #[arg(long)]
+    pub(crate) algorithm: Option<String>,
+    /// Who answers predicates
+    #[arg(long, value_enum, default_value_t = Kernel::Adaptive)]
+    pub(crate) kernel: Kernel,
+    /// The order in which sites are inserted; the result does not depend on it
+    #[arg(long, value_enum, default_value_t = Order::Brio)]
+    pub(crate) order: Order,
+    /// Seeds the order of insertion; the result does not depend on it
+    #[arg(long, default_value_t = 0)]
+    pub(crate) seed: u64,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Kernel {
+    /// Floating-point filters, then exact integers
+    Adaptive,
+    /// Exact integers only
+    Exact,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Order {
+    /// Biased randomized rounds along Hilbert's curve
+    Brio,
+    /// Along Hilbert's curve
+    Hilbert,
+    /// As given
+    AsGiven,
+    /// By coordinates
+    Lexicographic,
+}
+
+/// What to say and write.
+#[derive(Args, Clone)]
+pub(crate) struct Report {
+    /// Write the result, in the format of the ending (.ele .node .poly .lar.json .off .obj .csv ...); may be repeated
+    #[arg(short, long = "output", value_name = "OUT")]
+    pub(crate) outputs: Vec<PathBuf>,
+    /// Judge the output in exact arithmetic and say what was proved
+    #[arg(long)]
+    pub(crate) check: bool,
+    /// Count what the algorithm does
+    #[arg(long)]
+    pub(crate) counts: bool,
+    /// Draw the result
+    #[arg(long, value_name = "FILE")]
+    pub(crate) svg: Option<PathBuf>,
+    /// Write a report to look at in a browser
+    #[arg(long, value_name = "FILE")]
+    pub(crate) html: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) voice: Voice,
+}
+
+/// How to speak.
+#[derive(Args, Clone)]
+pub(crate) struct Voice {
+    /// Print one JSON object and nothing else on standard output
+    #[arg(long)]
+    pub(crate) json: bool,
+    /// No progress and no remarks on standard error
+    #[arg(long, short)]
+    pub(crate) quiet: bool,
+}
+
+#[derive(Args)]
+pub(crate) struct Compare {
+    /// Files and folders; the built-in suite when none
+    pub(crate) inputs: Vec<PathBuf>,
+    /// Write one self-contained report with pictures
+    #[arg(long, value_name = "FILE")]
+    pub(crate) html: Option<PathBuf>,
+    /// Only these algorithms
+    #[arg(long, value_delimiter = ',', value_name = "NAMES")]
+    pub(crate) only: Vec<String>,
+    /// Sites of the built-in suite's inputs, about
+    #[arg(short, default_value_t = 10_000)]
+    pub(crate) n: usize,
+    /// Seeds the built-in suite
+    #[arg(long, default_value_t = 1)]
+    pub(crate) seed: u64,
+    /// Report inputs that cannot be read or are refused as rows, and go on
+    #[arg(long)]
+    pub(crate) keep_going: bool,
+    #[command(flatten)]
+    pub(crate) voice: Voice,
+}
+
+#[derive(Args)]
+pub(crate) struct Check {
+    /// The input: points, and segments for a CDT
+    pub(crate) input: PathBuf,
+    /// The triangulation to judge
+    pub(crate) output: PathBuf,
+    /// What it should be
+    #[arg(long = "as", value_enum)]
+    pub(crate) kind: Claim,
+    /// Demand the one answer of the lexicographic perturbation, positively oriented, as delone gives it
+    #[arg(long)]
+    pub(crate) strict: bool,
+    #[command(flatten)]
+    pub(crate) voice: Voice,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Claim {
+    /// A Delaunay triangulation
+    Delaunay,
+    /// A constrained Delaunay triangulation
+    Cdt,
+}
+
+#[derive(Args)]
+pub(crate) struct Generate {
+    /// The workload
+    #[arg(required_unless_present = "list")]
+    pub(crate) name: Option<String>,
+    /// Sites, about
+    #[arg(short, default_value_t = 1000)]
+    pub(crate) n: usize,
+    /// Seed
+    #[arg(long, default_value_t = 1)]
+    pub(crate) seed: u64,
+    /// Write to this file instead of standard output
+    #[arg(short, long, value_name = "OUT")]
+    pub(crate) output: Option<PathBuf>,
+    /// List the workloads
+    #[arg(long)]
+    pub(crate) list: bool,
+    /// With --list: write a report with a picture of each
+    #[arg(long, value_name = "FILE", requires = "list")]
+    pub(crate) html: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) voice: Voice,
+}
+
+#[derive(Args)]
+pub(crate) struct Convert {
+    #[command(flatten)]
+    pub(crate) source: Source,
+    /// Write to this file; may be repeated
+    #[arg(short, long = "output", value_name = "OUT", required = true)]
+    pub(crate) outputs: Vec<PathBuf>,
+    #[command(flatten)]
+    pub(crate) voice: Voice,
+}
+
+#[derive(Args)]
+pub(crate) struct Draw {
+    #[command(flatten)]
+    pub(crate) source: Source,
+    /// Write to this file instead of standard output
+    #[arg(short, long, value_name = "OUT")]
+    pub(crate) output: Option<PathBuf>,
+    /// Number vertices and triangles
+    #[arg(long)]
+    pub(crate) numbered: bool,
+    /// Draw circumcircles
+    #[arg(long)]
+    pub(crate) circumcircles: bool,
+    /// Draw the input as it is, without triangulating it
+    #[arg(long)]
+    pub(crate) bare: bool,
+    /// Length of the longer side in pixels
+    #[arg(long, default_value_t = 800.0)]
+    pub(crate) size: f64,
+}

@@ -1,0 +1,28 @@
+//! One file for each command.
+
+mod check;
+mod compare;
+mod convert;
+mod draw;
+mod generate;
+mod meta;
+mod triangulate;
+
+use crate::cli::Command;
+use crate::failure::Failure;
+
+/// Runs the command asked for.
+pub(crate) fn run(command: &Command) -> Result<(), Failure> {
+    match command {
+        Command::Compare(arguments) => compare::compare(arguments),
+        Command::Delaunay(arguments) => triangulate::delaunay(arguments),
+        Command::Cdt(arguments) => triangulate::cdt(arguments),
+        Command::Check(arguments) => check::check(arguments),
+        Command::Gen(arguments) => generate::generate(arguments),
+        Command::Convert(arguments) => convert::convert(arguments),
+        Command::Draw(arguments) => draw::draw(arguments),
+        Command::Cite => meta::cite(),
+        Command::Completions { shell } => meta::completions(*shell),
+        Command::Man => meta::man(),
+    }
+}

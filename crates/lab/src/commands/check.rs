@@ -1,0 +1,140 @@
+//! `delone check`: the judge, on any program's output.
+
+use std::path::Path;
+
+use delone_check::{Complex, Options, Verdict, judge_constrained, judge_delaunay};
+use delone_formats::{Document, Format, Source, one, read_bytes, write};
+use serde_json::json;
+
+use crate::cli;
+use crate::failure::Failure;
+use crate::input;
+use crate::result::{check_value, verdict_text};
+
+pub(crate) fn check(arguments: &cli::Check) -> Result<(), Failure> {
+    let given = input::read(&arguments.input, None)?;
+    let output = read_output(&arguments.output, &given)?;
+    let verdict = if given.dimension == 3 {
+        judge_space(arguments, &given, &output)?
+    } else {
+        judge_plane(arguments, &given, &output)?
+    };
+    if arguments.voice.json {
+        let object = json!({
+            "schema": "delone.check/1",
+            "input": { "path": given.name, "sites": given.point_count(), "segments": given.segments.len() },
+            "output": output.name,
+            "check": check_value(&verdict),
+        });
+        println!("{object}");
+    } else {
+        print!("{}", verdict_text(&verdict));
+        println!("{:12} {}", "ties", verdict.ties);
+    }
+    if verdict.ok { Ok(()) } else { Err(Failure::Difference(None)) }
+}
+
+/// The output's document. A file of elements without nodes beside it takes the input's points.
+fn read_output(path: &Path, given: &Document) -> Result<Document, Failure> {
+    let name = path.to_string_lossy();
+    let wants_nodes = matches!(Format::from_path(&name), Some(Format::Ele | Format::Edge));
+    if !wants_nodes || path.with_extension("node").is_file() {
+        return input::read(path, None);
+    }
+    let mut nodes = Vec::new();
+    write(given, Format::Node, &mut nodes).map_err(Failure::input)?;
+    let bytes = std::fs::read(path).map_err(|error| Failure::input(format!("{name}: {error}")))?;
+    let source = Source { name: &name, bytes: &bytes, format: None, nodes: Some(&nodes) };
+    one(read_bytes(&source).map_err(Failure::input)?, &name).map_err(Failure::input)
+}
+
+fn judge_plane(
+    arguments: &cli::Check,
+    given: &Document,
+    output: &Document,
+) -> Result<Verdict, Failure> {
+    let points = given.points_2d().map_err(Failure::input)?;
+    let names = names(&points, &output.points_2d().map_err(Failure::input)?, output)?;
+    let named = |ids: &[u32]| ids.iter().map(|&id| names[id as usize]).collect::<Vec<u32>>();
+    let edges: Vec<[u32; 2]> =
+        output.segments.iter().map(|ends| ends.map(|id| names[id as usize])).collect();
+    let (dimension, cells) = if output.triangles.is_empty() && !edges.is_empty() {
+        (Some(1), edges.as_flattened().to_vec())
+    } else {
+        flat_cells(points.len(), &named(output.triangles.as_flattened()), 2)
+    };
+    let complex = Complex { points: &points, dimension, cells: &cells };
+    Ok(match arguments.kind {
+        cli::Claim::Delaunay => judge_delaunay(&complex, &options(arguments)),
+        cli::Claim::Cdt => {
+            judge_constrained(&complex, &given.segments, &edges, &options(arguments))
+        }
+    })
+}
+
+fn judge_space(
+    arguments: &cli::Check,
+    given: &Document,
+    output: &Document,
+) -> Result<Verdict, Failure> {
+    if arguments.kind == cli::Claim::Cdt {
+        return Err(Failure::input("--as cdt is for the plane, and the input is in space"));
+    }
+    let points = given.points_3d().map_err(Failure::input)?;
+    let names = names(&points, &output.points_3d().map_err(Failure::input)?, output)?;
+    let named = |ids: &[u32]| ids.iter().map(|&id| names[id as usize]).collect::<Vec<u32>>();
+    let (dimension, cells) = if output.tets.is_empty() && !output.triangles.is_empty() {
+        (Some(2), named(output.triangles.as_flattened()))
+    } else {
+        flat_cells(points.len(), &named(output.tets.as_flattened()), 3)
+    };
+    let complex = Complex { points: &points, dimension, cells: &cells };
+    Ok(judge_delaunay(&complex, &options(arguments)))
+}
+
+/// No cells at all is right for no points and for a single site.
+fn flat_cells(points: usize, cells: &[u32], dimension: usize) -> (Option<usize>, Vec<u32>) {
+    match (cells, points) {
+        ([], 0) => (None, Vec::new()),
+        ([], _) => (Some(0), vec![0]),
+        _ => (Some(dimension), cells.to_vec()),
+    }
+}
+
+fn options(arguments: &cli::Check) -> Options {
+    if arguments.strict { Options::default() } else { Options::foreign() }
+}
+
+/// For each point of the output, the input point at the same position: the same index if that one is.
+fn names<const D: usize>(
+    given: &[[f64; D]],
+    output: &[[f64; D]],
+    document: &Document,
+) -> Result<Vec<u32>, Failure> {
+    let key = |point: &[f64; D]| point.map(|c| (c + 0.0).to_bits());
+    let mut sorted: Vec<([u64; D], u32)> = given.iter().map(key).zip(0u32..).collect();
+    sorted.sort_unstable();
+    let mut names = Vec::with_capacity(output.len());
+    let mut strangers = Vec::new();
+    for (index, point) in output.iter().enumerate() {
+        let wanted = key(point);
+        if given.get(index).is_some_and(|same| key(same) == wanted) {
+            names.push(u32::try_from(index).map_err(Failure::input)?);
+            continue;
+        }
+        let place = sorted.partition_point(|(position, _)| *position < wanted);
+        match sorted.get(place) {
+            Some(&(position, name)) if position == wanted => names.push(name),
+            _ => strangers.push(format!("  vertex {index} at {point:?}")),
+        }
+    }
+    if strangers.is_empty() {
+        return Ok(names);
+    }
+    let count = strangers.len();
+    Err(Failure::Difference(Some(format!(
+        "{}: {count} vertices are no points of the input\n{}",
+        document.name,
+        strangers.join("\n")
+    ))))
+}

@@ -1,0 +1,166 @@
+//! `delone delaunay` and `delone cdt`: read, validate, build, judge, write, tell.
+
+use std::path::Path;
+use std::time::Instant;
+
+use delone_draw::{Anchor, Report, Style, Tone};
+use serde_json::{Map, json};
+
+use crate::cli;
+use crate::engine::{self, Triangulation};
+use crate::failure::Failure;
+use crate::pictures::Drawing;
+use crate::progress::Progress;
+use crate::result::{Outcome, Seconds, describe};
+use crate::subject::Subject;
+use crate::{input, output};
+
+pub(crate) fn delaunay(arguments: &cli::Triangulate) -> Result<(), Failure> {
+    let start = Instant::now();
+    let document = input::read(&arguments.source.input, arguments.source.format.as_deref())?;
+    let notes = document.notes.clone();
+    let subject = Subject::points(document)?;
+    let mut extra = Map::new();
+    extra.insert("hidden".to_owned(), json!([]));
+    let read = start.elapsed().as_secs_f64();
+    triangulate(
+        "delone.delaunay/1",
+        &subject,
+        &arguments.run,
+        &arguments.report,
+        read,
+        extra,
+        notes,
+    )
+}
+
+pub(crate) fn cdt(arguments: &cli::Cdt) -> Result<(), Failure> {
+    let cli::Crossings::Reject = arguments.crossings;
+    let start = Instant::now();
+    let document = input::read(&arguments.source.input, arguments.source.format.as_deref())?;
+    let notes = document.notes.clone();
+    let subject = Subject::graph(document)?;
+    let mut extra = Map::new();
+    extra.insert("steiner".to_owned(), json!(0));
+    let read = start.elapsed().as_secs_f64();
+    triangulate("delone.cdt/1", &subject, &arguments.run, &arguments.report, read, extra, notes)
+}
+
+fn triangulate(
+    schema: &'static str,
+    subject: &Subject,
+    run: &cli::Run,
+    report: &cli::Report,
+    read: f64,
+    extra: Map<String, serde_json::Value>,
+    notes: Vec<String>,
+) -> Result<(), Failure> {
+    let algorithm = engine::choose(subject, run.algorithm.as_deref())?;
+    for path in &report.outputs {
+        output::format_to_write(path)?;
+    }
+    output::check_paths(written(report))?;
+    let mut progress = Progress::new(algorithm, report.voice.quiet);
+    // Counting and showing progress cost time: what is timed runs without, unless the run is long.
+    let is_long = subject.site_count() > 1_000_000;
+    let listens = report.counts || is_long;
+    let options = engine::options(run);
+    let built = engine::run(subject, algorithm, &options, listens.then_some(&mut progress));
+    progress.finish();
+    let mut seconds = Seconds { read, build: built.seconds, ..Seconds::default() };
+    let triangulation = built.triangulation;
+    let clock = Instant::now();
+    let verdict = report.check.then(|| triangulation.verdict(subject));
+    seconds.check = report.check.then(|| clock.elapsed().as_secs_f64());
+    let mut outcome = Outcome {
+        schema,
+        subject,
+        algorithm,
+        kernel: match run.kernel {
+            cli::Kernel::Adaptive => "adaptive",
+            cli::Kernel::Exact => "exact",
+        },
+        fingerprint: triangulation.fingerprint(subject).to_string(),
+        sizes: triangulation.sizes(subject),
+        seconds,
+        counts: report.counts.then_some(progress.counts),
+        verdict,
+        extra,
+        notes,
+    };
+    let clock = Instant::now();
+    write_results(report, &triangulation, &mut outcome)?;
+    tell(report, &mut outcome, clock.elapsed().as_secs_f64())
+}
+
+fn written(report: &cli::Report) -> impl Iterator<Item = &Path> {
+    let files = report.outputs.iter().chain(&report.svg).chain(&report.html);
+    files.map(std::path::PathBuf::as_path)
+}
+
+fn write_results(
+    report: &cli::Report,
+    triangulation: &Triangulation,
+    outcome: &mut Outcome<'_>,
+) -> Result<(), Failure> {
+    let subject = outcome.subject;
+    if !report.outputs.is_empty() {
+        let document = triangulation.document(subject);
+        for path in &report.outputs {
+            let lost = output::document(path, &document)?;
+            outcome
+                .notes
+                .extend(lost.into_iter().map(|lost| format!("{}: {lost}", path.display())));
+        }
+    }
+    if report.svg.is_some() || report.html.is_some() {
+        let drawing = Drawing::of(subject, Some(triangulation));
+        let style = Style { title: describe(subject), ..Style::default() };
+        if let Some(path) = &report.svg {
+            output::text(path, &drawing.svg(&style))?;
+        }
+        if let Some(path) = &report.html {
+            output::text(path, &page(outcome, &drawing, &style))?;
+        }
+    }
+    Ok(())
+}
+
+/// A report on one triangulation.
+fn page(outcome: &Outcome<'_>, drawing: &Drawing, style: &Style) -> String {
+    let mut page = Report::new(outcome.subject.name());
+    page.lead(&describe(outcome.subject));
+    if let Some(verdict) = &outcome.verdict {
+        let tone = if verdict.ok { Tone::Ok } else { Tone::Fault };
+        page.notice(tone, &format!("{verdict}"));
+    }
+    page.heading("Triangulation", &Anchor::new("triangulation"));
+    if drawing.is_space() {
+        page.svg(&drawing.svg(style), &describe(outcome.subject));
+    } else {
+        page.picture(&drawing.plane(), style, &describe(outcome.subject));
+    }
+    page.code(&outcome.text());
+    page.finish()
+}
+
+fn tell(report: &cli::Report, outcome: &mut Outcome<'_>, write: f64) -> Result<(), Failure> {
+    if written(report).next().is_some() {
+        outcome.seconds.write = Some(write);
+    }
+    if report.voice.json {
+        println!("{}", outcome.json());
+    } else {
+        print!("{}", outcome.text());
+        for path in written(report) {
+            println!("{:12} {} ({})", "written", path.display(), output::size(path));
+        }
+    }
+    if !report.voice.quiet {
+        outcome.notes.iter().for_each(|note| eprintln!("note: {note}"));
+    }
+    match &outcome.verdict {
+        Some(verdict) if !verdict.ok => Err(Failure::Difference(None)),
+        _ => Ok(()),
+    }
+}

@@ -1,0 +1,182 @@
+//! Running algorithms by name, and what all their results have in common.
+
+use std::time::Instant;
+
+use delone_cdt::Cdt;
+use delone_check::Verdict;
+use delone_delaunay::{Delaunay, Fingerprint, KernelKind, Options, Order};
+use delone_formats::Document;
+use delone_mesh::Mesh;
+use delone_probe::Probe;
+
+use crate::cli;
+use crate::failure::Failure;
+use crate::judge;
+use crate::subject::{Body, Subject};
+
+/// A result of any algorithm.
+pub(crate) enum Triangulation {
+    Plane(Delaunay<2>),
+    Space(Delaunay<3>),
+    Constrained(Cdt),
+}
+
+/// A result, and the seconds that its construction took.
+pub(crate) struct Built {
+    pub(crate) triangulation: Triangulation,
+    pub(crate) seconds: f64,
+}
+
+/// The options that the command line names.
+pub(crate) fn options(run: &cli::Run) -> Options {
+    Options {
+        kernel: match run.kernel {
+            cli::Kernel::Adaptive => KernelKind::Adaptive,
+            cli::Kernel::Exact => KernelKind::Exact,
+        },
+        order: match run.order {
+            cli::Order::Brio => Order::Brio,
+            cli::Order::Hilbert => Order::Hilbert,
+            cli::Order::AsGiven => Order::AsGiven,
+            cli::Order::Lexicographic => Order::Lexicographic,
+        },
+        seed: run.seed,
+    }
+}
+
+/// The algorithms that apply to a subject.
+pub(crate) fn names(subject: &Subject) -> Vec<&'static str> {
+    match &subject.body {
+        Body::Plane(_) => delone_delaunay::algorithms::<2>().iter().map(|a| a.name).collect(),
+        Body::Space(_) => delone_delaunay::algorithms::<3>().iter().map(|a| a.name).collect(),
+        Body::Graph(_) => delone_cdt::algorithms().iter().map(|a| a.name).collect(),
+    }
+}
+
+/// The algorithm asked for, or the first one that applies.
+pub(crate) fn choose(subject: &Subject, asked: Option<&str>) -> Result<&'static str, Failure> {
+    let names = names(subject);
+    let Some(asked) = asked else { return Ok(names[0]) };
+    names.iter().find(|name| **name == asked).copied().ok_or_else(|| {
+        Failure::input(format!(
+            "no algorithm for this input is called {asked}: there are {}",
+            names.join(", ")
+        ))
+    })
+}
+
+/// Runs an algorithm that applies to the subject; `probe` listens if there is one.
+///
+/// # Panics
+/// If no such algorithm applies: ask [`choose`] first.
+pub(crate) fn run(
+    subject: &Subject,
+    name: &str,
+    options: &Options,
+    probe: Option<&mut dyn Probe>,
+) -> Built {
+    macro_rules! run {
+        ($algorithms:expr, $input:expr, $wrap:expr) => {{
+            let algorithm = $algorithms.into_iter().find(|algorithm| algorithm.name == name);
+            let algorithm = algorithm.expect("the name was chosen from these");
+            let start = Instant::now();
+            let result = match probe {
+                None => (algorithm.run)($input, options),
+                Some(probe) => (algorithm.run_with)($input, options, probe),
+            };
+            Built { seconds: start.elapsed().as_secs_f64(), triangulation: $wrap(result) }
+        }};
+    }
+    match &subject.body {
+        Body::Plane(sites) => run!(delone_delaunay::algorithms::<2>(), sites, Triangulation::Plane),
+        Body::Space(sites) => run!(delone_delaunay::algorithms::<3>(), sites, Triangulation::Space),
+        Body::Graph(pslg) => run!(delone_cdt::algorithms(), pslg, Triangulation::Constrained),
+    }
+}
+
+/// Counts that results print.
+pub(crate) struct Sizes {
+    pub(crate) vertices: usize,
+    pub(crate) cells: usize,
+    pub(crate) hull_facets: usize,
+    pub(crate) dimension: Option<usize>,
+}
+
+fn sizes_of<const D: usize>(mesh: &Mesh<D>, vertices: usize) -> Sizes {
+    let (cells, hull_facets) = (mesh.solid_cells().count(), mesh.ghost_cells().count());
+    Sizes { vertices, cells, hull_facets, dimension: mesh.dimension() }
+}
+
+impl Triangulation {
+    pub(crate) fn sizes(&self, subject: &Subject) -> Sizes {
+        let vertices = subject.site_count();
+        match self {
+            Self::Plane(result) => sizes_of(result.mesh(), vertices),
+            Self::Space(result) => sizes_of(result.mesh(), vertices),
+            Self::Constrained(result) => sizes_of(result.mesh(), vertices),
+        }
+    }
+
+    pub(crate) fn fingerprint(&self, subject: &Subject) -> Fingerprint {
+        match (self, &subject.body) {
+            (Self::Plane(result), Body::Plane(sites)) => result.fingerprint(sites),
+            (Self::Space(result), Body::Space(sites)) => result.fingerprint(sites),
+            (Self::Constrained(result), Body::Graph(pslg)) => result.fingerprint(pslg),
+            _ => unreachable!("a result belongs to its subject"),
+        }
+    }
+
+    pub(crate) fn verdict(&self, subject: &Subject) -> Verdict {
+        match (self, &subject.body) {
+            (Self::Plane(result), Body::Plane(sites)) => judge::delaunay(sites, result),
+            (Self::Space(result), Body::Space(sites)) => judge::delaunay(sites, result),
+            (Self::Constrained(result), Body::Graph(pslg)) => judge::cdt(pslg, result),
+            _ => unreachable!("a result belongs to its subject"),
+        }
+    }
+
+    /// The solid cells as input points, flat, and how many make a cell.
+    pub(crate) fn cells(&self, subject: &Subject) -> (Vec<u32>, usize) {
+        let input_of = subject.input_of();
+        let (ids, count) = match self {
+            Self::Plane(result) => (judge::solid_ids(result.mesh()), result.mesh().corner_count()),
+            Self::Space(result) => (judge::solid_ids(result.mesh()), result.mesh().corner_count()),
+            Self::Constrained(result) => {
+                (judge::solid_ids(result.mesh()), result.mesh().corner_count())
+            }
+        };
+        (ids.into_iter().map(|site| input_of[site as usize]).collect(), count)
+    }
+
+    /// The constrained edges as input points.
+    pub(crate) fn constrained(&self, subject: &Subject) -> Vec<[u32; 2]> {
+        let input_of = subject.input_of();
+        match self {
+            Self::Constrained(result) => result
+                .constrained_edges()
+                .into_iter()
+                .map(|edge| edge.map(|site| input_of[site as usize]))
+                .collect(),
+            _ => Vec::new(),
+        }
+    }
+
+    /// The input with the cells as faces, and the constrained edges as segments.
+    pub(crate) fn document(&self, subject: &Subject) -> Document {
+        let mut document = subject.document.clone();
+        document.segments = self.constrained(subject);
+        document.segment_markers.clear();
+        (document.triangles, document.tets, document.polygons) = Default::default();
+        (document.cell_attributes, document.attributes_per_cell) = Default::default();
+        let (cells, count) = self.cells(subject);
+        match count {
+            4 => document.tets = cells.as_chunks::<4>().0.to_vec(),
+            3 => document.triangles = cells.as_chunks::<3>().0.to_vec(),
+            2 if document.segments.is_empty() => {
+                document.segments = cells.as_chunks::<2>().0.to_vec()
+            }
+            _ => {}
+        }
+        document
+    }
+}

@@ -1,0 +1,72 @@
+//! Reading what a command is given: a file, a folder's files, or standard input.
+
+use std::io::Read;
+use std::path::{Path, PathBuf};
+
+use delone_formats::{Document, Format, Source, one, read_bytes, read_path};
+
+use crate::failure::Failure;
+
+/// The format that `--format` names.
+pub(crate) fn format_of(name: Option<&str>) -> Result<Option<Format>, Failure> {
+    name.map(|name| {
+        Format::from_name(name).ok_or_else(|| Failure::input(format!("no format is called {name}")))
+    })
+    .transpose()
+}
+
+/// All documents of a file or of standard input.
+pub(crate) fn read_all(path: &Path, format: Option<&str>) -> Result<Vec<Document>, Failure> {
+    let format = format_of(format)?;
+    if path != Path::new("-") {
+        return read_path(path, format).map_err(Failure::input);
+    }
+    let mut bytes = Vec::new();
+    std::io::stdin()
+        .read_to_end(&mut bytes)
+        .map_err(|error| Failure::input(format!("-: {error}")))?;
+    read_bytes(&Source { name: "-", bytes: &bytes, format, nodes: None }).map_err(Failure::input)
+}
+
+/// The one document of a file or of standard input.
+pub(crate) fn read(path: &Path, format: Option<&str>) -> Result<Document, Failure> {
+    one(read_all(path, format)?, &path.to_string_lossy()).map_err(Failure::input)
+}
+
+/// The files below the given paths, those of folders in order of their names.
+pub(crate) fn files(paths: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
+    let mut files = Vec::new();
+    for path in paths {
+        if path.is_dir() {
+            collect(path, &mut files)?;
+        } else {
+            files.push(path.clone());
+        }
+    }
+    Ok(files)
+}
+
+fn collect(folder: &Path, files: &mut Vec<PathBuf>) -> Result<(), Failure> {
+    let failed = |error| Failure::input(format!("{}: {error}", folder.display()));
+    let mut entries = Vec::new();
+    for entry in std::fs::read_dir(folder).map_err(failed)? {
+        entries.push(entry.map_err(failed)?.path());
+    }
+    entries.sort();
+    for entry in entries {
+        if entry.is_dir() {
+            collect(&entry, files)?;
+        } else if !is_companion(&entry) {
+            files.push(entry);
+        }
+    }
+    Ok(())
+}
+
+/// Whether a file only completes another one beside it: the points or triangles of a `.poly` file.
+fn is_companion(path: &Path) -> bool {
+    let ending = path.extension().and_then(|ending| ending.to_str());
+    let is_part = matches!(ending, Some("ele" | "edge" | "neigh" | "node"));
+    let (poly, node) = (path.with_extension("poly"), path.with_extension("node"));
+    is_part && (poly.is_file() || (ending != Some("node") && node.is_file()))
+}

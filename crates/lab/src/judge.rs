@@ -1,0 +1,70 @@
+//! Asking the judge: meshes as the plain data that it takes, and several verdicts as one.
+
+use delone_cdt::Cdt;
+use delone_check::{
+    Complex, Links, Options, Verdict, judge_constrained, judge_delaunay, judge_links,
+};
+use delone_delaunay::Delaunay;
+use delone_mesh::Mesh;
+use delone_sites::{Pslg, Sites};
+
+/// The solid cells as ids of vertices, as the mesh has them.
+pub(crate) fn solid_ids<const D: usize>(mesh: &Mesh<D>) -> Vec<u32> {
+    mesh.solid_cells()
+        .flat_map(|cell| mesh.corners(cell))
+        .map(|vertex| id(vertex.index()))
+        .collect()
+}
+
+fn id(index: usize) -> u32 {
+    u32::try_from(index).expect("a handle fits 32 bits")
+}
+
+/// Judges a Delaunay triangulation: first its links, then its geometry.
+pub(crate) fn delaunay<const D: usize>(sites: &Sites<D>, result: &Delaunay<D>) -> Verdict {
+    let options = Options::default();
+    let mesh = result.mesh();
+    let cells = solid_ids(mesh);
+    let complex = Complex { points: sites.points(), dimension: mesh.dimension(), cells: &cells };
+    joined(links(mesh), judge_delaunay(&complex, &options))
+}
+
+/// Judges a CDT against the segments as they were given.
+pub(crate) fn cdt(pslg: &Pslg, result: &Cdt) -> Verdict {
+    let mesh = result.mesh();
+    let cells = solid_ids(mesh);
+    let points = pslg.sites().points();
+    let complex = Complex { points, dimension: mesh.dimension(), cells: &cells };
+    let flags = result.constrained_edges();
+    joined(links(mesh), judge_constrained(&complex, pslg.segments(), &flags, &Options::default()))
+}
+
+/// Judges twins and ghosts.
+fn links<const D: usize>(mesh: &Mesh<D>) -> Verdict {
+    let ghost = u32::MAX;
+    let count = mesh.corner_count();
+    let corners = mesh.cells().flat_map(|cell| mesh.corners(cell));
+    let vertices: Vec<u32> =
+        corners.map(|v| if v.is_ghost() { ghost } else { id(v.index()) }).collect();
+    let facets = mesh.cells().flat_map(|cell| mesh.facets(cell)).map(|facet| mesh.twin(facet));
+    let twins: Vec<u32> =
+        facets.map(|twin| id(twin.cell().index() * count + twin.corner())).collect();
+    let dimension = mesh.dimension();
+    judge_links(
+        &Links { dimension, vertices: &vertices, twins: &twins, ghost },
+        &Options::default(),
+    )
+}
+
+/// Both verdicts; the level is that of the second.
+fn joined(first: Verdict, second: Verdict) -> Verdict {
+    let mut proved = first.proved;
+    proved.extend(second.proved);
+    let mut faults = first.faults;
+    faults.extend(second.faults);
+    let mut counts = first.counts;
+    for (kind, count) in second.counts {
+        *counts.entry(kind).or_insert(0) += count;
+    }
+    Verdict { ok: first.ok && second.ok, proved, faults, counts, ..second }
+}

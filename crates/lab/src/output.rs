@@ -1,0 +1,71 @@
+//! Writing files: documents by ending, pictures, reports; whole or not at all.
+
+use std::fs;
+use std::io::Write;
+use std::path::Path;
+
+use delone_formats::{Document, Format, WriteError, write, write_atomically};
+
+use crate::failure::Failure;
+
+/// The format of a file to be written.
+pub(crate) fn format_to_write(path: &Path) -> Result<Format, Failure> {
+    let format = Format::from_path(&path.to_string_lossy()).filter(|format| format.is_written());
+    format.ok_or_else(|| {
+        Failure::input(format!(
+            "{}: the ending names no format that is written: .node .poly .ele .edge .neigh .csv .xyz .lar.json .off .obj \
+             .geojson .wkt",
+            path.display()
+        ))
+    })
+}
+
+/// Refuses, before any work is done, files that could not be written.
+pub(crate) fn check_paths<'p>(paths: impl IntoIterator<Item = &'p Path>) -> Result<(), Failure> {
+    for path in paths {
+        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
+        if folder.is_some_and(|folder| !folder.is_dir()) {
+            return Err(Failure::input(format!("{}: there is no such folder", path.display())));
+        }
+        if path.is_dir() {
+            return Err(Failure::input(format!("{}: this is a folder", path.display())));
+        }
+    }
+    Ok(())
+}
+
+/// Writes a document; returns what its format could not hold.
+pub(crate) fn document(path: &Path, document: &Document) -> Result<Vec<String>, Failure> {
+    let format = format_to_write(path)?;
+    write_atomically(path, |out| write(document, format, out))
+        .map_err(|error: WriteError| Failure::input(format!("{}: {error}", path.display())))
+}
+
+/// Writes a text.
+pub(crate) fn text(path: &Path, text: &str) -> Result<(), Failure> {
+    write_atomically(path, |out| out.write_all(text.as_bytes()))
+        .map_err(|error: std::io::Error| Failure::input(format!("{}: {error}", path.display())))
+}
+
+/// Prints a document on standard output.
+pub(crate) fn print(document: &Document, format: Format) -> Result<(), Failure> {
+    let mut bytes = Vec::new();
+    write(document, format, &mut bytes).map_err(Failure::input)?;
+    print_bytes(&bytes)
+}
+
+/// Prints bytes on standard output; a reader that has gone away is no error.
+pub(crate) fn print_bytes(bytes: &[u8]) -> Result<(), Failure> {
+    match std::io::stdout().write_all(bytes) {
+        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {
+            Err(Failure::input(format!("standard output: {error}")))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// The size of a file just written, for people.
+pub(crate) fn size(path: &Path) -> String {
+    let bytes = fs::metadata(path).map_or(0, |metadata| metadata.len());
+    indicatif::HumanBytes(bytes).to_string()
+}
