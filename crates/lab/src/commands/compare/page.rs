@@ -52,6 +52,7 @@ fn results_table(comparison: &Comparison) -> Table {
         "sites",
         "segments",
         "algorithm",
+        "verdict",
         "cells",
         "build ms",
         "us / site",
@@ -59,10 +60,11 @@ fn results_table(comparison: &Comparison) -> Table {
         "orientations",
         "in-spheres",
         "ties",
-        "verdict",
     ]);
     for (number, entry) in comparison.entries.iter().enumerate() {
-        table.group();
+        if entry.rows.len() > 1 {
+            table.group();
+        }
         for row in &entry.rows {
             let sites = entry.subject.site_count();
             table.row([
@@ -70,6 +72,7 @@ fn results_table(comparison: &Comparison) -> Table {
                 Cell::count(sites as u64),
                 Cell::count(entry.subject.document.segments.len() as u64),
                 Cell::text(row.algorithm),
+                verdict_cell(row),
                 Cell::count(row.sizes.cells as u64),
                 Cell::real(row.seconds * 1e3, 3),
                 Cell::real(row.seconds * 1e6 / sites.max(1) as f64, 3),
@@ -77,7 +80,6 @@ fn results_table(comparison: &Comparison) -> Table {
                 Cell::count(row.counts.orients),
                 Cell::count(row.counts.in_spheres),
                 Cell::count(row.verdict.ties as u64),
-                verdict_cell(row),
             ]);
         }
     }
