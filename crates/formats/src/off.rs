@@ -30,7 +30,11 @@ pub(crate) fn read(text: &str) -> Result<Document, ReadError> {
             line = next("a dimension")?;
             counts = line.fields().collect();
         }
-        dimension = count(counts.remove(0), line.number, "a dimension")?;
+        let Some(&first) = counts.first() else {
+            return Err(ReadError::malformed(line.number, "a dimension", line.text));
+        };
+        counts.remove(0);
+        dimension = count(first, line.number, "a dimension")?;
         if !matches!(dimension, 2 | 3) {
             return Err(ReadError::malformed(line.number, "dimension 2 or 3", line.text));
         }

@@ -68,6 +68,9 @@ fn numeric(path: &str, text: &str, first: &Line<'_>) -> Option<Format> {
     let number = |i: usize| head.get(i).and_then(|field| field.parse::<usize>().ok());
     let total = tokens.len();
     match head.len() {
+        4 if whole && is_numbered_nodes(text, &head) => {
+            return Some(node_or_poly(text, number(0)?));
+        }
         3 if whole && is_detria(text) => return Some(Format::Detria),
         2 if whole => {
             if number(0) == Some(0) && number(1)?.checked_mul(4)?.checked_add(2)? == total {
@@ -110,6 +113,29 @@ fn numeric(path: &str, text: &str, first: &Line<'_>) -> Option<Format> {
         return Some(if run == Some(head.len()) { Format::RingList } else { Format::P2t });
     }
     Some(Format::Xyz)
+}
+
+/// `points dimension attributes markers`, then lines that begin with their own number and have as many fields as that says.
+fn is_numbered_nodes(text: &str, head: &[&str]) -> bool {
+    let parsed: Vec<usize> = head.iter().filter_map(|field| field.parse().ok()).collect();
+    let &[points, dimension @ (2 | 3), attributes, markers @ (0 | 1)] = parsed.as_slice() else {
+        return false;
+    };
+    let width = attributes.checked_add(1 + dimension + markers);
+    let mut rows = lines(text, Some('#')).skip(1).take(points);
+    let first = rows.clone().next().and_then(|row| row.fields().next()?.parse::<usize>().ok());
+    let Some(first @ (0 | 1)) = first else { return points == 0 };
+    (first..).zip(&mut rows).all(|(number, row)| {
+        let mut fields = row.fields();
+        fields.next().and_then(|field| field.parse().ok()) == Some(number)
+            && Some(fields.count() + 1) == width
+    })
+}
+
+/// Whether anything comes after the points.
+fn node_or_poly(text: &str, points: usize) -> Format {
+    let after = lines(text, Some('#')).nth(points.saturating_add(1));
+    if after.is_some() { Format::Poly } else { Format::Node }
 }
 
 fn is_list_of_three(text: &str, points: usize, total: usize) -> bool {

@@ -39,3 +39,14 @@ fn content_decides_where_endings_do_not() {
     assert_eq!(Format::detect("-", b""), None);
     assert_eq!(Format::detect("-", b"hello"), None);
 }
+
+#[test]
+fn nodes_and_graphs_are_known_without_a_name() {
+    let node = b"2 2 0 0\n0 0 1\n1 1 1\n";
+    assert_eq!(Format::detect("-", node), Some(Format::Node));
+    let poly = b"2 2 0 1\n1 0 1 0\n2 1 1 0\n1 0\n1 1 2\n0\n";
+    assert_eq!(Format::detect("-", poly), Some(Format::Poly));
+    assert_eq!(Format::detect("-", b"1 3 0 0\n1 0 0 0\n"), Some(Format::Node));
+    // Four coordinates in a row are not a header.
+    assert_eq!(Format::detect("-", b"2 2 0 0\n5 5 1 1\n"), Some(Format::Xyz));
+}

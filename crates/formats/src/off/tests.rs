@@ -34,4 +34,6 @@ fn counts_and_indices_are_checked() {
     );
     assert!(refusal(Format::Off, "OFF\n1 1 0\n0 0 0\n3 0 0\n").contains("3 corners"));
     assert!(refusal(Format::Off, "FOO\n").contains("OFF or nOFF"));
+    // A line of separators only has no fields.
+    assert!(refusal(Format::Off, "nOFF\n,\n1 0 0\n1 2\n").contains("a dimension"));
 }

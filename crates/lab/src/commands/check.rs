@@ -55,15 +55,10 @@ fn judge_plane(
 ) -> Result<Verdict, Failure> {
     let points = given.points_2d().map_err(Failure::input)?;
     let names = names(&points, &output.points_2d().map_err(Failure::input)?, output)?;
-    let named = |ids: &[u32]| ids.iter().map(|&id| names[id as usize]).collect::<Vec<u32>>();
+    let (dimension, cells) = cells(points.len(), output, &names);
+    let complex = Complex { points: &points, dimension, cells: &cells };
     let edges: Vec<[u32; 2]> =
         output.segments.iter().map(|ends| ends.map(|id| names[id as usize])).collect();
-    let (dimension, cells) = if output.triangles.is_empty() && !edges.is_empty() {
-        (Some(1), edges.as_flattened().to_vec())
-    } else {
-        flat_cells(points.len(), &named(output.triangles.as_flattened()), 2)
-    };
-    let complex = Complex { points: &points, dimension, cells: &cells };
     Ok(match arguments.kind {
         cli::Claim::Delaunay => judge_delaunay(&complex, &options(arguments)),
         cli::Claim::Cdt => {
@@ -82,22 +77,25 @@ fn judge_space(
     }
     let points = given.points_3d().map_err(Failure::input)?;
     let names = names(&points, &output.points_3d().map_err(Failure::input)?, output)?;
-    let named = |ids: &[u32]| ids.iter().map(|&id| names[id as usize]).collect::<Vec<u32>>();
-    let (dimension, cells) = if output.tets.is_empty() && !output.triangles.is_empty() {
-        (Some(2), named(output.triangles.as_flattened()))
-    } else {
-        flat_cells(points.len(), &named(output.tets.as_flattened()), 3)
-    };
+    let (dimension, cells) = cells(points.len(), output, &names);
     let complex = Complex { points: &points, dimension, cells: &cells };
     Ok(judge_delaunay(&complex, &options(arguments)))
 }
 
-/// No cells at all is right for no points and for a single site.
-fn flat_cells(points: usize, cells: &[u32], dimension: usize) -> (Option<usize>, Vec<u32>) {
-    match (cells, points) {
-        ([], 0) => (None, Vec::new()),
-        ([], _) => (Some(0), vec![0]),
-        _ => (Some(dimension), cells.to_vec()),
+/// The cells of the output by input point: its simplices of the highest dimension that it has. Without any, it can only
+/// be the triangulation of a single site, or of none.
+fn cells(points: usize, output: &Document, names: &[u32]) -> (Option<usize>, Vec<u32>) {
+    let named = |ids: &[u32]| ids.iter().map(|&id| names[id as usize]).collect::<Vec<u32>>();
+    if !output.tets.is_empty() {
+        (Some(3), named(output.tets.as_flattened()))
+    } else if !output.triangles.is_empty() {
+        (Some(2), named(output.triangles.as_flattened()))
+    } else if !output.segments.is_empty() {
+        (Some(1), named(output.segments.as_flattened()))
+    } else if points > 0 {
+        (Some(0), vec![0])
+    } else {
+        (None, Vec::new())
     }
 }
 

@@ -132,7 +132,9 @@ fn page(outcome: &Outcome<'_>, drawing: &Drawing, style: &Style) -> String {
     page.lead(&describe(outcome.subject));
     if let Some(verdict) = &outcome.verdict {
         let tone = if verdict.ok { Tone::Ok } else { Tone::Fault };
-        page.notice(tone, &format!("{verdict}"));
+        let word = if verdict.ok { "Proved" } else { "Not proved" };
+        page.notice(tone, &format!("{word}: {}, {} ties.", verdict.level, verdict.ties));
+        page.details("What was proved, and how", |page| page.code(&verdict.to_string()));
     }
     page.heading("Triangulation", &Anchor::new("triangulation"));
     if drawing.is_space() {

@@ -1,0 +1,204 @@
+//! The program as a user runs it: what it prints, writes, refuses, and how it exits.
+#![expect(missing_docs, reason = "tests")]
+
+use std::path::Path;
+
+use assert_cmd::Command;
+use serde_json::Value;
+
+fn delone() -> Command {
+    Command::new(env!("CARGO_BIN_EXE_delone"))
+}
+
+/// Runs in a folder; exit status, standard output, standard error.
+fn run(folder: &Path, words: &[&str]) -> (i32, String, String) {
+    let output = delone().current_dir(folder).args(words).output().unwrap();
+    let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
+    (output.status.code().unwrap(), text(output.stdout), text(output.stderr))
+}
+
+fn folder() -> tempfile::TempDir {
+    tempfile::tempdir().unwrap()
+}
+
+const KITE: &str = "4 2 0 0\n1 0 0\n2 3 1\n3 6 0\n4 3 -1\n1 0\n1 1 3\n0\n";
+const CROSS: &str = "4 2 0 0\n1 0 0\n2 2 2\n3 0 2\n4 2 0\n2 0\n1 1 2\n2 3 4\n0\n";
+
+#[test]
+fn cdt_tells_the_keys_of_the_contract() {
+    let folder = folder();
+    std::fs::write(folder.path().join("kite.poly"), KITE).unwrap();
+    let words =
+        ["cdt", "kite.poly", "--json", "--check", "--counts", "-o", "out.ele", "--svg", "out.svg"];
+    let (status, out, error) = run(folder.path(), &words);
+    assert_eq!(status, 0, "{error}");
+    let object: Value = serde_json::from_str(&out).unwrap();
+    assert_eq!(object["schema"], "delone.cdt/1");
+    assert_eq!(object["input"]["sites"], 4);
+    assert_eq!(object["input"]["segments"], 1);
+    assert_eq!(object["input"]["duplicates"], 0);
+    assert_eq!(
+        (&object["vertices"], &object["cells"], &object["hull_facets"]),
+        (&4.into(), &2.into(), &4.into())
+    );
+    assert_eq!(object["check"]["ok"], true);
+    assert_eq!(object["check"]["level"], "constrained delaunay");
+    assert_eq!(object["counts"]["subsegments"], 1);
+    assert_eq!(object["fingerprint"].as_str().unwrap().len(), 32);
+    for phase in ["read", "build", "check", "write"] {
+        assert!(object["seconds"][phase].is_f64(), "{phase}");
+    }
+    // The long diagonal is in both triangles of the file written.
+    let ele = std::fs::read_to_string(folder.path().join("out.ele")).unwrap();
+    let rows: Vec<Vec<u32>> = ele
+        .lines()
+        .filter(|line| !line.starts_with('#') && !line.trim().is_empty())
+        .map(|line| line.split_whitespace().map(|word| word.parse().unwrap()).collect())
+        .collect();
+    assert_eq!(rows[0][..2], [2, 3]);
+    assert!(rows[1..].iter().all(|row| row[1..].contains(&1) && row[1..].contains(&3)), "{ele}");
+    let svg = std::fs::read_to_string(folder.path().join("out.svg")).unwrap();
+    assert!(roxmltree::Document::parse(&svg).is_ok());
+}
+
+#[test]
+fn every_crossing_is_listed_and_nothing_is_written() {
+    let folder = folder();
+    std::fs::write(folder.path().join("cross.poly"), CROSS).unwrap();
+    let (status, out, error) =
+        run(folder.path(), &["cdt", "cross.poly", "-o", "out.ele", "--json"]);
+    assert_eq!((status, out.as_str()), (2, ""));
+    assert!(error.contains("segments 0 and 1 cross near (1, 1)"), "{error}");
+    assert!(!folder.path().join("out.ele").exists());
+}
+
+#[test]
+fn bad_input_is_named_with_file_and_line() {
+    let folder = folder();
+    let cases = [
+        ("nan.node", "2 2 0 0\n1 0 0\n2 nan 1\n", "point 1 has the coordinate NaN on axis 0"),
+        ("word.node", "2 2 0 0\n1 0 0\n2 x 1\n", "word.node:3"),
+        ("short.node", "3 2 0 0\n1 0 0\n", "short.node"),
+        ("index.poly", "2 2 0 0\n1 0 0\n2 1 1\n1 0\n1 1 7\n0\n", "index.poly:5"),
+    ];
+    for (name, text, expected) in cases {
+        std::fs::write(folder.path().join(name), text).unwrap();
+        let (status, out, error) = run(folder.path(), &["delaunay", name, "-o", "out.ele"]);
+        assert_eq!((status, out.as_str()), (2, ""), "{name}");
+        assert!(error.contains(expected), "{name}: {error}");
+        assert!(!folder.path().join("out.ele").exists());
+    }
+    for words in [
+        &["delaunay", "absent.node"][..],
+        &["cdt"],
+        &["frobnicate"],
+        &["gen", "cost"],
+        &["delaunay", "nan.node", "--algorithm", "magic"],
+        &["gen", "grid", "-o", "no/such/folder.node"],
+    ] {
+        assert_eq!(run(folder.path(), words).0, 2, "{words:?}");
+    }
+}
+
+#[test]
+fn the_judge_finds_a_planted_fault_and_exits_with_one() {
+    let folder = folder();
+    std::fs::write(folder.path().join("kite.poly"), KITE).unwrap();
+    // The short diagonal: Delaunay, but the segment is missing.
+    std::fs::write(folder.path().join("wrong.ele"), "2 3 0\n1 1 2 4\n2 2 3 4\n").unwrap();
+    let words = ["check", "kite.poly", "wrong.ele", "--as", "cdt", "--json"];
+    let (status, out, _) = run(folder.path(), &words);
+    assert_eq!(status, 1);
+    let object: Value = serde_json::from_str(&out).unwrap();
+    assert_eq!(object["check"]["ok"], false);
+    assert!(!object["check"]["faults"].as_array().unwrap().is_empty());
+    assert_eq!(run(folder.path(), &["check", "kite.poly", "wrong.ele", "--as", "delaunay"]).0, 0);
+}
+
+#[test]
+fn what_is_written_is_what_the_judge_accepts() {
+    let folder = folder();
+    for (workload, command, kind) in [
+        ("coast", "cdt", "cdt"),
+        ("grid", "delaunay", "delaunay"),
+        ("sphere", "delaunay", "delaunay"),
+        ("collinear-3d", "delaunay", "delaunay"),
+        ("line-vertical", "delaunay", "delaunay"),
+        ("duplicates", "delaunay", "delaunay"),
+    ] {
+        let (status, _, error) =
+            run(folder.path(), &["gen", workload, "-n", "200", "-o", "in.poly"]);
+        assert_eq!(status, 0, "{error}");
+        let (status, _, error) =
+            run(folder.path(), &[command, "in.poly", "-q", "-o", "out.lar.json"]);
+        assert_eq!(status, 0, "{workload}: {error}");
+        let words = ["check", "in.poly", "out.lar.json", "--as", kind, "--strict"];
+        let (status, out, error) = run(folder.path(), &words);
+        assert_eq!(status, 0, "{workload}: {out} {error}");
+    }
+}
+
+#[test]
+fn compare_judges_the_suite_and_writes_a_report() {
+    let folder = folder();
+    let (status, out, error) =
+        run(folder.path(), &["compare", "-n", "200", "--html", "report.html", "--json"]);
+    assert_eq!(status, 0, "{error}");
+    let object: Value = serde_json::from_str(&out).unwrap();
+    assert_eq!(object["agree"], true);
+    let results = object["results"].as_array().unwrap();
+    assert!(results.len() > 60);
+    for result in results {
+        assert_eq!(result["check"]["ok"], true, "{result}");
+        for key in ["input", "algorithm", "fingerprint", "seconds", "counts"] {
+            assert!(!result[key].is_null(), "{key}");
+        }
+    }
+    let html = std::fs::read_to_string(folder.path().join("report.html")).unwrap();
+    assert!(html.contains("coast") && html.ends_with("</html>\n"));
+    assert!(
+        !html.contains("http://")
+            || html.matches("http://").count() == html.matches("http://www.w3.org").count()
+    );
+}
+
+#[test]
+fn compare_refuses_all_or_goes_on() {
+    let folder = folder();
+    std::fs::write(folder.path().join("cross.poly"), CROSS).unwrap();
+    std::fs::write(folder.path().join("kite.poly"), KITE).unwrap();
+    let (status, out, error) = run(folder.path(), &["compare", ".", "--html", "r.html"]);
+    assert_eq!((status, out.as_str()), (2, ""));
+    assert!(error.contains("cross near (1, 1)") && !folder.path().join("r.html").exists());
+    let (status, out, _) = run(folder.path(), &["compare", ".", "--keep-going", "--json"]);
+    assert_eq!(status, 0);
+    let object: Value = serde_json::from_str(&out).unwrap();
+    assert_eq!(object["results"].as_array().unwrap().len(), 1);
+    assert_eq!(object["refused"].as_array().unwrap().len(), 1);
+}
+
+#[test]
+fn pipes_work() {
+    let folder = folder();
+    let poly = delone().args(["gen", "comb", "-n", "100"]).output().unwrap().stdout;
+    let output =
+        delone().args(["cdt", "-", "--check", "--json"]).write_stdin(poly).output().unwrap();
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    let (status, svg, _) = run(folder.path(), &["gen", "--list"]);
+    assert!(status == 0 && svg.contains("coast"));
+    assert_eq!(run(folder.path(), &["completions", "bash"]).0, 0);
+    assert_eq!(run(folder.path(), &["man"]).0, 0);
+    assert!(run(folder.path(), &["cite"]).1.contains("SB15"));
+}
+
+#[test]
+fn convert_says_what_is_lost() {
+    let folder = folder();
+    std::fs::write(folder.path().join("kite.poly"), KITE).unwrap();
+    let (status, _, error) =
+        run(folder.path(), &["convert", "kite.poly", "-o", "kite.csv", "-o", "kite.lar.json"]);
+    assert_eq!(status, 0);
+    assert!(error.contains("kite.csv") && error.contains("segment"), "{error}");
+    let (status, svg, _) = run(folder.path(), &["draw", "kite.lar.json", "--numbered"]);
+    assert!(status == 0 && roxmltree::Document::parse(&svg).is_ok());
+}
