@@ -111,18 +111,18 @@ impl Pslg {
     /// With every coordinate that is not finite and every segment that names no point; if there are none of these,
     /// with every crossing.
     pub fn new(points: &[[f64; 2]], segments: &[[usize; 2]]) -> Result<Self, PslgError> {
-        let mut faults = match Sites::new(points) {
-            Ok(_) => Vec::new(),
-            Err(error) => PslgError::from(error).0,
-        };
-        faults.extend(no_such_points(points.len(), segments));
+        let mut faults = no_such_points(points.len(), segments);
         if u32::try_from(segments.len()).is_err() {
             faults.push(PslgFault::TooMany(segments.len()));
         }
-        if !faults.is_empty() {
-            return Err(PslgError(faults));
-        }
-        let sites = Sites::new(points)?;
+        let sites = match Sites::new(points) {
+            Ok(sites) if faults.is_empty() => sites,
+            Ok(_) => return Err(PslgError(faults)),
+            Err(error) => {
+                faults.splice(0..0, PslgError::from(error).0);
+                return Err(PslgError(faults));
+            }
+        };
         let ends: Vec<[u32; 2]> =
             segments.iter().map(|ends| ends.map(|point| sites.site_of()[point])).collect();
         let noded = Self::noded(sites, ends);
