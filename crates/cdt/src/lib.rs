@@ -16,7 +16,8 @@
 //!
 //! | module | paper | time | when |
 //! |---|---|---|---|
-//! | [`cavity()`] | [SB15] | Delaunay, then expected O(1) for each edge crossed | always, for now |
+//! | [`chew()`] | [Che89] | O(n log n), whatever the segments | long segments that cross everything |
+//! | [`cavity()`] | [SB15] | Delaunay, then expected O(1) for each edge crossed | short segments, as on maps |
 //! | [`insert_segments`] | [SB15] | the second half of it | your own kernel or Delaunay mesh |
 //!
 //! # Contract
@@ -28,12 +29,13 @@
 
 mod cavity;
 mod chain;
+mod chew;
 mod fill;
 mod registry;
 mod result;
 
 pub use cavity::insert_segments;
-pub use registry::{Algorithm, algorithms, cavity};
+pub use registry::{Algorithm, algorithms, cavity, chew};
 pub use result::Cdt;
 
 #[cfg(test)]

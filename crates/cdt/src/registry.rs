@@ -23,12 +23,57 @@ pub struct Algorithm {
 /// All algorithms.
 #[must_use]
 pub fn algorithms() -> Vec<Algorithm> {
-    vec![Algorithm {
-        name: "cavity",
-        papers: &["SB15", "Ang97"],
-        run: |pslg, options| cavity(pslg, options, &mut ()),
-        run_with: |pslg, options, mut probe| cavity(pslg, options, &mut probe),
-    }]
+    vec![
+        Algorithm {
+            name: "chew",
+            papers: &["Che89", "GS85"],
+            run: |pslg, options| chew(pslg, options, &mut ()),
+            run_with: |pslg, options, mut probe| chew(pslg, options, &mut probe),
+        },
+        Algorithm {
+            name: "cavity",
+            papers: &["SB15", "Ang97"],
+            run: |pslg, options| cavity(pslg, options, &mut ()),
+            run_with: |pslg, options, mut probe| cavity(pslg, options, &mut probe),
+        },
+    ]
+}
+
+/// The CDT by Chew's divide and conquer.
+pub fn chew(pslg: &Pslg, options: &Options, probe: &mut impl Probe) -> Cdt {
+    match options.kernel {
+        KernelKind::Exact => chew_under(&Exact::new(pslg.sites().points()), pslg, options, probe),
+        _ => chew_under(&Adaptive::new(pslg.sites().points()), pslg, options, probe),
+    }
+}
+
+fn chew_under<K>(kernel: &K, pslg: &Pslg, options: &Options, probe: &mut impl Probe) -> Cdt
+where
+    K: PlaneKernel,
+    K::Reordered: PlaneKernel,
+{
+    let (sorted, ranks) = (pslg.sites().sorted(), pslg.sites().ranks());
+    let ranked: Vec<[u32; 2]> = pslg
+        .subsegments()
+        .iter()
+        .map(|ends| {
+            let [a, b] = ends.map(|site| ranks[site as usize]);
+            [a.min(b), a.max(b)]
+        })
+        .collect();
+    let kernel = kernel.reordered(sorted);
+    let rings = crate::chew::chew(&kernel, sorted.len(), &ranked, probe);
+    match crate::chew::hand_over(&rings, &kernel, sorted) {
+        Some((mesh, constrained)) => Cdt::new(mesh, constrained),
+        None => on_a_line(pslg, options, probe),
+    }
+}
+
+/// The chain of sites in line, each subsegment being an edge of it.
+fn on_a_line(pslg: &Pslg, options: &Options, probe: &mut impl Probe) -> Cdt {
+    let mesh = delaunay(pslg.sites(), options, probe).into_mesh();
+    let constrained = chain::constrained_cells(&mesh, pslg.subsegments());
+    Cdt::new(mesh, constrained)
 }
 
 /// The CDT by Delaunay triangulation and [`insert_segments`].

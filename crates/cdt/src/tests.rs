@@ -32,9 +32,15 @@ fn check(points: &[[f64; 2]], segments: &[[usize; 2]]) -> Cdt {
         [(KernelKind::Exact, Order::Lexicographic), (KernelKind::Adaptive, Order::AsGiven)]
     {
         let options = Options { kernel, order, seed: 5 };
-        let other = cavity(&pslg, &options, &mut ());
-        assert_eq!(other.canonical(), cdt.canonical());
-        assert_eq!(other.constrained_edges(), cdt.constrained_edges());
+        for other in algorithms().iter().map(|algorithm| (algorithm.run)(&pslg, &options)) {
+            assert_eq!(
+                other.mesh().faults(Level::Sphere, pslg.sites().len()),
+                [],
+                "{points:?} {segments:?}"
+            );
+            assert_eq!(other.canonical(), cdt.canonical(), "{points:?} {segments:?}");
+            assert_eq!(other.constrained_edges(), cdt.constrained_edges());
+        }
     }
     cdt
 }
@@ -80,7 +86,22 @@ fn every_segment_of_a_grid_can_be_inserted() {
 }
 
 #[test]
-fn random_sets_of_segments_that_do_not_cross() {
+fn chew_agrees_on_small_grids() {
+    // Every subset of a 3x3 grid, bare and with each single segment.
+    for mask in 1u32..512 {
+        let points: Vec<[f64; 2]> = (0..9u32)
+            .filter(|i| mask >> i & 1 == 1)
+            .map(|i| [f64::from(i / 3), f64::from(i % 3)])
+            .collect();
+        check(&points, &[]);
+        for b in 1..points.len() {
+            check(&points, &[[mask as usize % b, b]]);
+        }
+    }
+}
+
+#[test]
+fn chew_agrees_on_random_sets() {
     let mut state = 7u64;
     let mut next = |below: u64| {
         state =

@@ -28,6 +28,16 @@ impl<const D: usize> Mesh<D> {
         Self::default()
     }
 
+    /// A mesh of this dimension without cells, for an algorithm to fill with [`Mesh::add_cell`] and [`Mesh::glue`].
+    ///
+    /// # Panics
+    /// If the dimension is over D.
+    #[must_use]
+    pub fn bare(dimension: usize) -> Self {
+        assert!(dimension <= D, "a mesh of R^{D} has at most {D} dimensions");
+        Self { dimension: Some(dimension), ..Self::default() }
+    }
+
     /// The two-sided simplex: `corners` as one solid cell, positively oriented by the caller, and its ghosts; dimension
     /// `corners.len() - 1`.
     ///

@@ -1,0 +1,115 @@
+//! Chew's constrained Delaunay triangulation by divide and conquer over slabs.
+//!
+//! ```text
+//!      |  c  |           The sites in lexicographic order; a slab is a run of them. A segment that spans a slab cuts it in
+//!   ---|--/--|---f       two; of the pieces only those that hold a site (regions) are kept, each with the spanning segments
+//!      | a   |           next below and above it. Inside a region the sites are triangulated as far as they see each other
+//!   ---|-----|---g       past the pieces of segments in the slab. Two neighbouring slabs are merged window by window along
+//!      |  b  |           their common wall, a window being what lies between two segments that cross it.
+//! ```
+//!
+//! **Paper.** [Che89] (and its conference form of 1987): O(n log n) in the worst case. Where we differ: Chew's infinite
+//! vertices, where half of a segment leaves the slab, are not stored. Both halves of each segment stand in the rings of
+//! their ends from the start, and a half whose other end is outside the slab is known by that end's index. Windows are
+//! merged as in Guibas and Stolfi's Delaunay algorithm [GS85], with faces told from gaps by walking round them.
+//! **In.** A noded PSLG as a kernel over its sites in lexicographic order, and subsegments as pairs of ranks.
+//! **Out.** The constrained Delaunay mesh and its constrained half-edges.
+//!
+//! **Invariants.** For every region of a solved slab: 1. the edges between its sites are exactly the CDT's with respect to
+//! the pieces of segments in the slab; 2. each face between them is a triangle or a gap; around the region the halves that
+//! leave it separate the gaps, one gap for each half (or one in all); 3. a gap's boundary is a chain convex towards the gap.
+//!
+//! **Cost.** O(n log n) time: each level of the division does O(1) work for each site, half and edge made or removed.
+//! Memory: 13 bytes for each half-edge, some 80 bytes a site, regions aside.
+//!
+//! **Degeneracies.**
+//! | case | answer | test |
+//! |---|---|---|
+//! | equal abscissae | indices compare: as if sheared by an infinitesimal | `chew_agrees_on_small_grids` |
+//! | cocircular sites | the perturbation decides | `chew_agrees_on_small_grids` |
+//! | sites in line along a tangent | strict tests leave ties alone, so the nearest one is taken | `chew_agrees_on_small_grids` |
+//! | all sites in line | no face: a chain | `a_chain_has_its_segments` |
+//! | one half bounds a region's only gap | the gap's chain starts at the half on the right side of it | `chew_agrees_on_random_sets` |
+
+mod bounds;
+mod hand_over;
+mod merge;
+mod rings;
+mod zip;
+
+use delone_predicates::PlaneKernel;
+use delone_probe::Probe;
+
+pub(crate) use hand_over::hand_over;
+use rings::Rings;
+
+/// A subsegment: its ends, the lower rank first.
+pub(crate) type Ends = [u32; 2];
+
+/// A region of a slab.
+#[derive(Clone, Debug, Default)]
+struct Region {
+    /// The spanning segment next below.
+    low: Option<u32>,
+    /// The spanning segment next above.
+    high: Option<u32>,
+    /// Segments that leave the region through the slab's left wall, from bottom to top.
+    left: Vec<u32>,
+    /// And through the right wall.
+    right: Vec<u32>,
+    /// The region's first site.
+    first: u32,
+    /// The region's last site.
+    last: u32,
+}
+
+/// The triangulation in the making.
+struct Chew<'k, 'p, K, P> {
+    kernel: &'k K,
+    probe: &'p mut P,
+    segments: &'k [Ends],
+    rings: Rings,
+    /// For each site the segments next below and above it.
+    bounds: Vec<[Option<u32>; 2]>,
+}
+
+/// The edges of the CDT of `count` sites, ranked lexicographically, and `segments` over ranks, smaller rank first.
+pub(crate) fn chew<K: PlaneKernel, P: Probe>(
+    kernel: &K,
+    count: usize,
+    segments: &[Ends],
+    probe: &mut P,
+) -> Rings {
+    let rings = Rings::new(kernel, count, segments);
+    let bounds = bounds::bounds(kernel, count, segments);
+    let mut work = Chew { kernel, probe, segments, rings, bounds };
+    let count = u32::try_from(count).expect("sites have 32-bit ids");
+    if count > 0 {
+        work.solve(0, count);
+    }
+    work.rings
+}
+
+impl<K: PlaneKernel, P: Probe> Chew<'_, '_, K, P> {
+    /// Triangulates the slab of sites `i` to `j - 1`; its regions from bottom to top.
+    fn solve(&mut self, i: u32, j: u32) -> Vec<Region> {
+        if j - i == 1 {
+            return vec![self.single(i)];
+        }
+        let m = i + (j - i) / 2;
+        let (left, right) = (self.solve(i, m), self.solve(m, j));
+        self.merge([i, m, j], left, right)
+    }
+
+    /// The slab of one site: one region, with the halves of the segments at the site.
+    fn single(&self, v: u32) -> Region {
+        let [low, high] = self.bounds[v as usize];
+        let halves = self.rings.halves(v);
+        let right =
+            halves.clone().filter(|&h| self.rings.destination(h) > v).map(|h| h / 2).collect();
+        let mut left: Vec<u32> =
+            halves.filter(|&h| self.rings.destination(h) < v).map(|h| h / 2).collect();
+        left.reverse(); // counter-clockwise is from top to bottom on this side
+        Region { low, high, left, right, first: v, last: v }
+    }
+}
