@@ -13,7 +13,7 @@
 //! half-edges are constrained.
 //! **Invariants.** 1. After each segment the mesh is the CDT of the sites and the segments so far. 2. The PSLG is noded:
 //! no site is inside a subsegment, and no subsegment crosses another.
-//! **Cost.** Expected O(1) for each edge crossed, and the degree of the segment's first end.
+//! **Cost.** Expected O(1) for each edge crossed, and the lower of the degrees of the segment's ends.
 //!
 //! **Degeneracies.**
 //! | case | answer | test |
@@ -43,21 +43,24 @@ pub fn insert_segments(
     probe: &mut impl Probe,
 ) -> (Mesh<2>, Vec<bool>) {
     let mut work = Work::new(mesh, kernel, sites);
-    let mut missing: Vec<(u64, [VertexId; 2])> = Vec::new();
+    let mut missing: Vec<(u64, Ends)> = Vec::new();
     for (number, ends) in (0u64..).zip(subsegments) {
-        let [a, b] = ends.map(|site| VertexId::new(site as usize));
-        if !work.mark_edge(a, b, probe) {
-            missing.push((scatter(number), [a, b]));
+        let ends = ends.map(|site| VertexId::new(site as usize));
+        if work.mark_edge(ends, probe).is_err() {
+            missing.push((scatter(number), ends));
         }
     }
     missing.sort_unstable(); // random order, on which the expected cost rests
-    for (random, [a, b]) in missing {
-        if !work.mark_edge(a, b, probe) {
+    for (random, ends) in missing {
+        if let Err([a, b]) = work.mark_edge(ends, probe) {
             work.insert(a, b, random, probe);
         }
     }
     work.finish()
 }
+
+/// The two ends of a subsegment.
+type Ends = [VertexId; 2];
 
 struct Work<'k, K> {
     mesh: Mesh<2>,
@@ -114,14 +117,30 @@ impl<'k, K: PlaneKernel> Work<'k, K> {
         self.constrained[twin.index()] = true;
     }
 
-    /// Marks the edge from `a` to `b` constrained, if there is one.
-    fn mark_edge(&mut self, a: VertexId, b: VertexId, probe: &mut impl Probe) -> bool {
-        let found = self.mesh.half_edge(a, b, self.cell_of[a.index()]);
-        if let Some(h) = found {
-            self.mark(h);
-            probe.on(Event::Subsegment);
+    /// Marks the edge between `a` and `b` constrained. If there is none: the ends, that of lower degree first.
+    fn mark_edge(&mut self, ends: Ends, probe: &mut impl Probe) -> Result<(), Ends> {
+        let found = self.find_edge(ends)?;
+        self.mark(found);
+        probe.on(Event::Subsegment);
+        Ok(())
+    }
+
+    /// The half-edge between two vertices, turning about both in step: O(the lower of their degrees).
+    fn find_edge(&self, [a, b]: Ends) -> Result<HalfEdge, Ends> {
+        let mut at_a = self.mesh.ring(a, self.cell_of[a.index()]);
+        let mut at_b = self.mesh.ring(b, self.cell_of[b.index()]);
+        loop {
+            match at_a.next() {
+                None => return Err([a, b]),
+                Some(h) if self.mesh.destination(h) == b => return Ok(h),
+                Some(_) => {}
+            }
+            match at_b.next() {
+                None => return Err([b, a]),
+                Some(h) if self.mesh.destination(h) == a => return Ok(h),
+                Some(_) => {}
+            }
         }
-        found.is_some()
     }
 
     /// Makes the segment from `a` to `b`, which is no edge, a constrained edge.

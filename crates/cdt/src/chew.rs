@@ -31,7 +31,6 @@
 //! | all sites in line | no face: a chain | `a_chain_has_its_segments` |
 //! | one half bounds a region's only gap | the gap's chain starts at the half on the right side of it | `chew_agrees_on_random_sets` |
 
-mod bounds;
 mod hand_over;
 mod merge;
 mod rings;
@@ -39,12 +38,10 @@ mod zip;
 
 use delone_predicates::PlaneKernel;
 use delone_probe::Probe;
+use delone_sites::{Ends, below_and_above};
 
 pub(crate) use hand_over::hand_over;
 use rings::Rings;
-
-/// A subsegment: its ends, the lower rank first.
-pub(crate) type Ends = [u32; 2];
 
 /// A region of a slab.
 #[derive(Clone, Debug, Default)]
@@ -81,7 +78,7 @@ pub(crate) fn chew<K: PlaneKernel, P: Probe>(
     probe: &mut P,
 ) -> Rings {
     let rings = Rings::new(kernel, count, segments);
-    let bounds = bounds::bounds(kernel, count, segments);
+    let bounds = below_and_above(kernel, count, segments);
     let mut work = Chew { kernel, probe, segments, rings, bounds };
     let count = u32::try_from(count).expect("sites have 32-bit ids");
     if count > 0 {

@@ -31,10 +31,12 @@ mod boxes;
 mod order;
 mod pslg;
 mod sites;
+mod sweep;
 
 pub use order::{Curve, scatter};
 pub use pslg::{Crossing, Pslg, PslgError, PslgFault};
 pub use sites::{NotFinite, Sites, SitesError};
+pub use sweep::{Ends, below_and_above, compare_along};
 
 #[cfg(test)]
 #[expect(clippy::cast_possible_truncation, reason = "the numbers of the tests are small")]

@@ -4,7 +4,8 @@
 //! and over one another; here they are cut there, which moves nothing. They may not cross elsewhere: that would need a
 //! new vertex, and is refused with every crossing listed.
 //!
-//! **Cost.** O((n + m) log n) and, by segment, the boxes that it meets (`boxes.rs`).
+//! **Cost.** Sites on segments: by segment, the boxes that it meets (`boxes.rs`). Crossings: a sweep tells whether there are
+//! any in O((n + m) log n) (`sweep.rs`); only then are all pairs near each other looked at.
 //!
 //! **Degeneracies.**
 //! | case | answer | test |
@@ -16,9 +17,10 @@
 
 use std::fmt;
 
-use delone_predicates::{Sign, orient2d};
+use delone_predicates::{Adaptive, Kernel, Sign, orient2d};
 
 use crate::boxes::{Box2, BoxTree};
+use crate::sweep::any_crossing;
 use crate::{NotFinite, Sites, SitesError};
 
 /// A noded planar straight-line graph.
@@ -126,7 +128,7 @@ impl Pslg {
         let ends: Vec<[u32; 2]> =
             segments.iter().map(|ends| ends.map(|point| sites.site_of()[point])).collect();
         let noded = Self::noded(sites, ends);
-        let crossings = noded.crossings();
+        let crossings = if noded.is_crossed() { noded.crossings() } else { Vec::new() };
         if crossings.is_empty() {
             Ok(noded)
         } else {
@@ -160,7 +162,26 @@ impl Pslg {
         Self { sites, segments, subsegments, chains, dropped }
     }
 
-    /// Every pair of input segments that cross, by index.
+    #[cfg(test)]
+    pub(crate) fn noded_for_tests(points: &[[f64; 2]], segments: &[[usize; 2]]) -> Self {
+        let sites = Sites::new(points).expect("points of tests are finite");
+        let ends = segments.iter().map(|ends| ends.map(|point| sites.site_of()[point])).collect();
+        Self::noded(sites, ends)
+    }
+
+    /// Whether any two subsegments cross.
+    fn is_crossed(&self) -> bool {
+        let (sorted, ranks) = (self.sites.sorted(), self.sites.ranks());
+        let ranked = |ends: &[u32; 2]| {
+            let [a, b] = ends.map(|site| ranks[site as usize]);
+            [a.min(b), a.max(b)]
+        };
+        let segments: Vec<[u32; 2]> = self.subsegments.iter().map(ranked).collect();
+        let kernel = Adaptive::new(self.sites.points()).reordered(sorted);
+        any_crossing(&kernel, sorted.len(), &segments)
+    }
+
+    /// Every pair of input segments that cross, by index. O(those near each other): for input that is refused.
     fn crossings(&self) -> Vec<Crossing> {
         let points = self.sites.points();
         let ends = |piece: u32| self.subsegments[piece as usize].map(|site| points[site as usize]);

@@ -141,3 +141,49 @@ fn all_kinds_of_nonsense_are_named_at_once() {
     assert!(matches!(faults[1], PslgFault::NoSuchPoint { segment: 0, point: 3, count: 1 }));
     assert!(matches!(faults[2], PslgFault::NoSuchPoint { segment: 1, point: 7, count: 1 }));
 }
+
+#[test]
+fn the_sweep_agrees_with_all_pairs() {
+    let mut state = 11u64;
+    let mut next = |below: u64| {
+        state = scatter(state);
+        state % below
+    };
+    let (mut crossed, mut clean) = (0, 0);
+    for _ in 0..4000 {
+        let side = 2 + next(6);
+        let points: Vec<[f64; 2]> =
+            (0..2 + next(9)).map(|_| [next(side) as f64, next(side) as f64]).collect();
+        let count = points.len() as u64;
+        let segments: Vec<[usize; 2]> =
+            (0..next(6)).map(|_| [next(count) as usize, next(count) as usize]).collect();
+        // All pairs, by the same definition: noded pieces that cross.
+        let noded = Pslg::noded_for_tests(&points, &segments);
+        let at = |site: u32| noded.sites().points()[site as usize];
+        let pieces = noded.subsegments();
+        let mut any = false;
+        for (i, &[a, b]) in pieces.iter().enumerate() {
+            for &[c, d] in &pieces[..i] {
+                let side =
+                    |p: u32, q: u32, r: u32| delone_predicates::orient2d(at(p), at(q), at(r));
+                let negative = delone_predicates::Sign::Negative;
+                any |= side(a, b, c) * side(a, b, d) == negative
+                    && side(c, d, a) * side(c, d, b) == negative;
+            }
+        }
+        assert_eq!(Pslg::new(&points, &segments).is_err(), any, "{points:?} {segments:?}");
+        *(if any { &mut crossed } else { &mut clean }) += 1;
+    }
+    assert!(crossed > 200 && clean > 200, "{crossed} {clean}");
+}
+
+#[test]
+fn a_fan_of_many_segments_is_quick() {
+    // All pairs share an end: looking at all of them would take minutes.
+    let spokes = 20_000;
+    let mut points = vec![[0.0, 0.0]];
+    points.extend((0..spokes).map(|i| [f64::from(i) - 10_000.0, 1.0 + f64::from(i * i % 101)]));
+    let segments: Vec<[usize; 2]> = (1..points.len()).map(|i| [0, i]).collect();
+    let pslg = Pslg::new(&points, &segments).unwrap();
+    assert!(pslg.subsegments().len() >= 19_000);
+}

@@ -9,8 +9,8 @@ use std::cmp::Ordering;
 
 use delone_predicates::PlaneKernel;
 use delone_probe::Probe;
+use delone_sites::compare_along;
 
-use super::bounds::compare;
 use super::{Chew, Region};
 
 /// One side of a merge: the regions of a slab, from bottom to top, as the wall is walked along.
@@ -121,7 +121,7 @@ impl<K: PlaneKernel, P: Probe> Chew<'_, '_, K, P> {
         let mut wall: Vec<u32> = Vec::new();
         loop {
             let next = match (on_left.peek(), on_right.peek()) {
-                (Some(&e), Some(&f)) => match compare(self.kernel, self.segments, e, f) {
+                (Some(&e), Some(&f)) => match compare_along(self.kernel, self.segments, e, f) {
                     Ordering::Greater => on_right.next(),
                     Ordering::Less | Ordering::Equal => on_left.next(),
                 },

@@ -6,8 +6,7 @@
 use std::cmp::Ordering;
 
 use delone_predicates::{PlaneKernel, Sign};
-
-use super::Ends;
+use delone_sites::Ends;
 
 /// A half-edge, by index.
 pub(super) type Half = u32;
