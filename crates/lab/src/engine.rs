@@ -53,6 +53,16 @@ pub(crate) fn names(subject: &Subject) -> Vec<&'static str> {
     }
 }
 
+/// Every algorithm of any kind, once.
+pub(crate) fn all_names() -> Vec<&'static str> {
+    let mut names: Vec<&'static str> = delone_cdt::algorithms().iter().map(|a| a.name).collect();
+    names.extend(delone_delaunay::algorithms::<2>().iter().map(|a| a.name));
+    names.extend(delone_delaunay::algorithms::<3>().iter().map(|a| a.name));
+    names.sort_unstable();
+    names.dedup();
+    names
+}
+
 /// The algorithm asked for, or the first one that applies.
 pub(crate) fn choose(subject: &Subject, asked: Option<&str>) -> Result<&'static str, Failure> {
     let names = names(subject);

@@ -1,5 +1,5 @@
 //! The program as a user runs it: what it prints, writes, refuses, and how it exits.
-#![expect(missing_docs, reason = "tests")]
+#![expect(missing_docs, clippy::unwrap_used, reason = "tests")]
 
 use std::path::Path;
 
@@ -93,6 +93,7 @@ fn bad_input_is_named_with_file_and_line() {
         &["cdt"],
         &["frobnicate"],
         &["gen", "cost"],
+        &["compare", "--only", "chew,magic"],
         &["delaunay", "nan.node", "--algorithm", "magic"],
         &["gen", "grid", "-o", "no/such/folder.node"],
     ] {

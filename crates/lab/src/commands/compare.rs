@@ -15,7 +15,7 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde_json::{Value, json};
 
 use crate::cli;
-use crate::engine::{self, Sizes};
+use crate::engine::{self, Sizes, Triangulation};
 use crate::failure::Failure;
 use crate::pictures::Drawing;
 use crate::progress::Progress;
@@ -77,6 +77,13 @@ impl Comparison {
 
 pub(crate) fn compare(arguments: &cli::Compare) -> Result<(), Failure> {
     output::check_paths(arguments.html.as_deref())?;
+    let known = engine::all_names();
+    if let Some(stranger) = arguments.only.iter().find(|name| !known.contains(&name.as_str())) {
+        let known = known.join(", ");
+        return Err(Failure::Input(format!(
+            "no algorithm is called {stranger}: there are {known}"
+        )));
+    }
     let (subjects, refused) = subjects(arguments)?;
     if !refused.is_empty() && !arguments.keep_going {
         let reasons: Vec<&str> = refused.iter().map(|refused| refused.reason.as_str()).collect();
@@ -90,7 +97,7 @@ pub(crate) fn compare(arguments: &cli::Compare) -> Result<(), Failure> {
     let mut comparison = Comparison { entries: Vec::new(), refused };
     for subject in subjects {
         bar.set_message(subject.name().to_owned());
-        comparison.entries.push(entry(subject, &arguments.only)?);
+        comparison.entries.push(entry(subject, &arguments.only));
         bar.inc(1);
     }
     bar.finish_and_clear();
@@ -152,26 +159,29 @@ fn bar(count: usize, quiet: bool) -> ProgressBar {
         .with_style(style.expect("the template is well formed"))
 }
 
-fn entry(subject: Subject, only: &[String]) -> Result<Entry, Failure> {
+fn entry(subject: Subject, only: &[String]) -> Entry {
     let names = engine::names(&subject);
     let chosen: Vec<&'static str> = names
         .iter()
         .filter(|name| only.is_empty() || only.iter().any(|asked| asked == *name))
         .copied()
         .collect();
-    let rows: Vec<Row> = chosen.iter().map(|name| row(&subject, name)).collect();
-    let options = Options::default();
-    let first = engine::choose(&subject, chosen.first().copied())?;
-    let drawing =
-        Drawing::of(&subject, Some(&engine::run(&subject, first, &options, None).triangulation));
-    Ok(Entry { subject, rows, drawing })
+    let mut drawing = None;
+    let mut rows = Vec::new();
+    for name in chosen {
+        let (row, triangulation) = row(&subject, name);
+        rows.push(row);
+        drawing.get_or_insert_with(|| Drawing::of(&subject, Some(&triangulation)));
+    }
+    let drawing = drawing.unwrap_or_else(|| Drawing::of(&subject, None));
+    Entry { subject, rows, drawing }
 }
 
 /// Runs longer than this are not repeated.
 const REPEAT_BELOW_SECONDS: f64 = 0.2;
 const RUNS: usize = 5;
 
-fn row(subject: &Subject, name: &'static str) -> Row {
+fn row(subject: &Subject, name: &'static str) -> (Row, Triangulation) {
     let options = Options::default();
     let built = engine::run(subject, name, &options, None);
     let mut seconds = vec![built.seconds];
@@ -183,7 +193,7 @@ fn row(subject: &Subject, name: &'static str) -> Row {
     engine::run(subject, name, &options, Some(&mut progress));
     let clock = Instant::now();
     let verdict = built.triangulation.verdict(subject);
-    Row {
+    let row = Row {
         algorithm: name,
         fingerprint: built.triangulation.fingerprint(subject).to_string(),
         seconds: seconds[seconds.len() / 2],
@@ -192,7 +202,8 @@ fn row(subject: &Subject, name: &'static str) -> Row {
         counts: progress.counts,
         sizes: built.triangulation.sizes(subject),
         verdict,
-    }
+    };
+    (row, built.triangulation)
 }
 
 fn json(comparison: &Comparison) -> Value {
