@@ -20,21 +20,21 @@ pub struct Algorithm {
     pub run_with: fn(&Pslg, &Options, &mut dyn Probe) -> Cdt,
 }
 
-/// All algorithms.
+/// All algorithms; the first is the one to take if nothing speaks for another.
 #[must_use]
 pub fn algorithms() -> Vec<Algorithm> {
     vec![
-        Algorithm {
-            name: "chew",
-            papers: &["Che89", "GS85"],
-            run: |pslg, options| chew(pslg, options, &mut ()),
-            run_with: |pslg, options, mut probe| chew(pslg, options, &mut probe),
-        },
         Algorithm {
             name: "cavity",
             papers: &["SB15", "Ang97"],
             run: |pslg, options| cavity(pslg, options, &mut ()),
             run_with: |pslg, options, mut probe| cavity(pslg, options, &mut probe),
+        },
+        Algorithm {
+            name: "chew",
+            papers: &["Che89", "GS85"],
+            run: |pslg, options| chew(pslg, options, &mut ()),
+            run_with: |pslg, options, mut probe| chew(pslg, options, &mut probe),
         },
     ]
 }
