@@ -259,20 +259,12 @@ impl<'k, K: PlaneKernel> Work<'k, K> {
         along.expect("one triangle lies at the segment")
     }
 
-    /// Glues the new half-edges of both chains to what was outside the old ones.
+    /// Glues the new half-edges of both chains to what was outside the old ones. An edge that dangles in the cavity is
+    /// outside to itself: gluing its first half to the old second one makes it the second's outside in its turn.
     fn glue_chains(&mut self) {
-        self.replaced.sort_unstable();
         for &(old, new) in &self.replaced {
-            let outside = self.mesh.twin(old);
-            // An edge that dangles in the cavity is outside to itself: both its half-edges are replaced.
-            let place = if self.cavity.holds(outside.cell()) {
-                self.replaced.binary_search_by_key(&outside, |&(old, _)| old).ok()
-            } else {
-                None
-            };
-            let outside_now = place.map_or(outside, |place| self.replaced[place].1);
             self.constrained[new.index()] = self.constrained[old.index()];
-            self.mesh.glue(new, outside_now);
+            self.mesh.glue(new, self.mesh.twin(old));
         }
     }
 }

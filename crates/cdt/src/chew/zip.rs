@@ -27,14 +27,28 @@ struct Window {
 
 impl Window {
     fn is_left(&self, v: u32) -> bool {
-        let [i, m, _] = self.slab;
-        (i..m).contains(&v)
+        self.holds(Hand::Left, v)
     }
 
     fn is_right(&self, v: u32) -> bool {
-        let [_, m, j] = self.slab;
-        (m..j).contains(&v)
+        self.holds(Hand::Right, v)
     }
+
+    /// Whether the slab on this hand holds the site.
+    fn holds(&self, hand: Hand, v: u32) -> bool {
+        let [i, m, j] = self.slab;
+        match hand {
+            Hand::Left => (i..m).contains(&v),
+            Hand::Right => (m..j).contains(&v),
+        }
+    }
+}
+
+/// One side of the wall. What is done on the right is the mirror image of what is done on the left.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Hand {
+    Left,
+    Right,
 }
 
 /// A site of a gap's chain, and its sector that opens into the gap (none if no edge leaves it).
@@ -54,7 +68,8 @@ impl<K: PlaneKernel, P: Probe> Chew<'_, '_, K, P> {
         let mut base = match floor.filter(|&f| self.inside(window, f).is_some()) {
             Some(floor) => 2 * floor,
             None => {
-                let (l, r) = (self.left_start(window, a), self.right_start(window, b));
+                let l = self.nearest(window, Hand::Left, a);
+                let r = self.nearest(window, Hand::Right, b);
                 let ((l, s), (r, t)) = self.lower_tangent(window, l, r);
                 if top == Some([l, r]) {
                     return;
@@ -64,8 +79,8 @@ impl<K: PlaneKernel, P: Probe> Chew<'_, '_, K, P> {
         };
         loop {
             let (l, r) = (self.rings.origin(base), self.rings.destination(base));
-            let left = self.left_candidate(window, base);
-            let right = self.right_candidate(window, base);
+            let left = self.candidate(window, base, Hand::Left);
+            let right = self.candidate(window, base, Hand::Right);
             let to_right = match (left, right) {
                 (None, None) => break,
                 (Some(_), None) => false,
@@ -114,21 +129,24 @@ impl<K: PlaneKernel, P: Probe> Chew<'_, '_, K, P> {
         self.kernel.in_sphere(&triangle.map(|v| v as usize), q as usize) == Side::Positive
     }
 
-    /// The edge from `l` to the left candidate, after opening what the circle of base and candidate opens.
-    fn left_candidate(&mut self, window: Window, base: Half) -> Option<Half> {
+    /// The edge from base's end on this hand to the candidate there, after opening what the circle of base and candidate
+    /// opens.
+    fn candidate(&mut self, window: Window, base: Half, hand: Hand) -> Option<Half> {
         let (l, r) = (self.rings.origin(base), self.rings.destination(base));
-        let mut e = self.rings.next(base);
+        let (own, other_end) = if hand == Hand::Left { (base, r) } else { (base ^ 1, l) };
+        let mut e = self.beside(own, hand);
         let c = self.rings.destination(e);
-        if e == base || !window.is_left(c) || self.orient(l, r, c) != Sign::Positive {
+        if e == own || !window.holds(hand, c) || self.orient(l, r, c) != Sign::Positive {
             return None;
         }
         while !self.rings.is_segment(e) {
-            let behind = self.rings.next(e);
+            let behind = self.beside(e, hand);
             let (c, apex) = (self.rings.destination(e), self.rings.destination(behind));
-            if apex == r || !window.is_left(apex) || !self.is_triangle(e, behind) {
+            if apex == other_end || !window.holds(hand, apex) {
                 break;
             }
-            if !self.is_inside([l, r, c], apex) {
+            let (first, second) = if hand == Hand::Left { (e, behind) } else { (behind, e) };
+            if !self.is_triangle(first, second) || !self.is_inside([l, r, c], apex) {
                 break;
             }
             self.rings.remove(e);
@@ -137,27 +155,12 @@ impl<K: PlaneKernel, P: Probe> Chew<'_, '_, K, P> {
         Some(e)
     }
 
-    /// The mirror image: the edge from `r` to the right candidate.
-    fn right_candidate(&mut self, window: Window, base: Half) -> Option<Half> {
-        let (l, r) = (self.rings.origin(base), self.rings.destination(base));
-        let mut e = self.rings.previous(base ^ 1);
-        let c = self.rings.destination(e);
-        if e == base ^ 1 || !window.is_right(c) || self.orient(l, r, c) != Sign::Positive {
-            return None;
+    /// The next edge of the ring, upwards from the base: counter-clockwise on the left, clockwise on the right.
+    fn beside(&self, h: Half, hand: Hand) -> Half {
+        match hand {
+            Hand::Left => self.rings.next(h),
+            Hand::Right => self.rings.previous(h),
         }
-        while !self.rings.is_segment(e) {
-            let behind = self.rings.previous(e);
-            let (c, apex) = (self.rings.destination(e), self.rings.destination(behind));
-            if apex == l || !window.is_right(apex) || !self.is_triangle(behind, e) {
-                break;
-            }
-            if !self.is_inside([l, r, c], apex) {
-                break;
-            }
-            self.rings.remove(e);
-            e = behind;
-        }
-        Some(e)
     }
 
     /// Whether the face between `e` and the next of its ring, `f`, is a triangle and no gap.
@@ -170,78 +173,47 @@ impl<K: PlaneKernel, P: Probe> Chew<'_, '_, K, P> {
             && self.orient(v, c, d) == Sign::Positive
     }
 
-    /// The last site of the left gap's chain.
-    fn left_start(&mut self, window: Window, a: &Region) -> Stand {
-        let starts = |segment: Option<u32>| {
-            segment.filter(|&s| window.is_left(self.segments[s as usize][0]))
-        };
-        if let Some(f) = starts(window.floor) {
-            let [mut v, end] = self.segments[f as usize];
-            let (mut s, mut is_first) = (2 * f, true);
-            loop {
-                let e = self.rings.next(s);
-                let d = self.rings.destination(e);
-                if !window.is_left(d)
-                    || d <= v
-                    || (is_first && self.orient(v, end, d) != Sign::Positive)
-                {
-                    return (v, Some(s));
-                }
-                (s, v, is_first) = (e ^ 1, d, false);
+    /// The site of the gap's chain that is nearest to the wall.
+    fn nearest(&mut self, window: Window, hand: Hand, region: &Region) -> Stand {
+        let (own, other) = if hand == Hand::Left { (0, 1) } else { (1, 0) };
+        for (segment, is_floor) in [(window.floor, true), (window.ceiling, false)] {
+            let Some(segment) = segment else { continue };
+            let ends = self.segments[segment as usize];
+            if window.holds(hand, ends[own]) {
+                // Away from the segment, into the window: up from the floor, down from the ceiling.
+                let half = 2 * segment + u32::from(hand == Hand::Right);
+                let is_ccw = is_floor == (hand == Hand::Left);
+                let sector = if is_ccw { half } else { self.rings.previous(half) };
+                return self.along(window, hand, is_ccw, (ends[own], sector), ends[other]);
             }
         }
-        if let Some(g) = starts(window.ceiling) {
-            let [mut v, end] = self.segments[g as usize];
-            let (mut s, mut is_first) = (self.rings.previous(2 * g), true);
-            loop {
-                let d = self.rings.destination(s);
-                if !window.is_left(d)
-                    || d <= v
-                    || (is_first && self.orient(v, end, d) != Sign::Negative)
-                {
-                    return (v, Some(s));
-                }
-                (s, v, is_first) = (self.rings.previous(s ^ 1), d, false);
-            }
-        }
-        (a.last, self.open_sector(a.last))
+        let site = if hand == Hand::Left { region.last } else { region.first };
+        (site, self.open_sector(site))
     }
 
-    /// The first site of the right gap's chain: the mirror image.
-    fn right_start(&mut self, window: Window, b: &Region) -> Stand {
-        let ends = |segment: Option<u32>| {
-            segment.filter(|&s| window.is_right(self.segments[s as usize][1]))
-        };
-        if let Some(f) = ends(window.floor) {
-            let [end, mut v] = self.segments[f as usize];
-            let (mut t, mut is_first) = (self.rings.previous(2 * f + 1), true);
-            loop {
-                let d = self.rings.destination(t);
-                if !window.is_right(d)
-                    || d >= v
-                    || (is_first && self.orient(v, end, d) != Sign::Negative)
-                {
-                    return (v, Some(t));
-                }
-                (t, v, is_first) = (self.rings.previous(t ^ 1), d, false);
+    /// Follows the gap's chain from where a segment to `end` leaves it, as long as it comes nearer to the wall.
+    fn along(
+        &mut self,
+        window: Window,
+        hand: Hand,
+        is_ccw: bool,
+        (mut v, mut s): (u32, Half),
+        end: u32,
+    ) -> Stand {
+        // The first edge may belong to the far side of a gap that goes all around; the chain beyond it is convex.
+        let away = if is_ccw { Sign::Positive } else { Sign::Negative };
+        let mut is_first = true;
+        loop {
+            let e = if is_ccw { self.rings.next(s) } else { s };
+            let d = self.rings.destination(e);
+            let is_nearer = if hand == Hand::Left { d > v } else { d < v };
+            if !window.holds(hand, d) || !is_nearer || (is_first && self.orient(v, end, d) != away)
+            {
+                return (v, Some(s));
             }
+            s = if is_ccw { e ^ 1 } else { self.rings.previous(s ^ 1) };
+            (v, is_first) = (d, false);
         }
-        if let Some(g) = ends(window.ceiling) {
-            let [end, mut v] = self.segments[g as usize];
-            let (mut t, mut is_first) = (2 * g + 1, true);
-            loop {
-                let e = self.rings.next(t);
-                let d = self.rings.destination(e);
-                if !window.is_right(d)
-                    || d >= v
-                    || (is_first && self.orient(v, end, d) != Sign::Positive)
-                {
-                    return (v, Some(t));
-                }
-                (t, v, is_first) = (e ^ 1, d, false);
-            }
-        }
-        (b.first, self.open_sector(b.first))
     }
 
     /// The sector of 180 degrees or more at a site all of whose edges go to one side.
