@@ -32,6 +32,13 @@ pub struct Law<F> {
     pub hold: F,
 }
 
+/// Demands every law of one input.
+pub fn obey<const D: usize>(laws: &[Law<fn(&Case<D>) -> usize>], case: &Case<D>) {
+    for law in laws {
+        let _times = (law.hold)(case);
+    }
+}
+
 /// Inputs of at most this many points are judged in every way.
 const THOROUGH_MAX: usize = 40;
 
