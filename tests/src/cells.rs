@@ -28,13 +28,13 @@ pub fn delaunay_cells<const D: usize>(
             .is_ok_and(|edge| constrained.binary_search(&edge).is_ok());
         let simplex = &simplices[one * corners..(one + 1) * corners];
         if !fixed && is_cospherical(&kernel, simplex, apex) {
-            let (a, b) = (root(&parents, one), root(&parents, other));
+            let (a, b) = (root(&mut parents, one), root(&mut parents, other));
             parents[a] = b;
         }
     }
     let mut cells = vec![Vec::new(); count];
     for (simplex, vertices) in simplices.chunks(corners).enumerate() {
-        cells[root(&parents, simplex)].extend_from_slice(vertices);
+        cells[root(&mut parents, simplex)].extend_from_slice(vertices);
     }
     cells.retain(|cell| !cell.is_empty());
     for cell in &mut cells {
@@ -64,19 +64,16 @@ fn interior_facets(simplices: &[u32], corners: usize) -> Vec<[Seen; 2]> {
     pairs.filter_map(|pair| <[Seen; 2]>::try_from(pair.to_vec()).ok()).collect()
 }
 
-fn root(parents: &[usize], mut at: usize) -> usize {
+fn root(parents: &mut [usize], mut at: usize) -> usize {
     while parents[at] != at {
+        parents[at] = parents[parents[at]];
         at = parents[at];
     }
     at
 }
 
 /// Whether `apex`, in the flat of the simplex, lies on its circumsphere.
-fn is_cospherical<const D: usize>(
-    kernel: &Exact<&[[f64; D]]>,
-    simplex: &[u32],
-    apex: u32,
-) -> bool {
+fn is_cospherical<const D: usize>(kernel: &Exact<&[[f64; D]]>, simplex: &[u32], apex: u32) -> bool {
     let ids: Vec<usize> = simplex.iter().map(|&v| v as usize).collect();
     let all = all_axes::<D>();
     let axes = (0..1u32 << D)

@@ -50,9 +50,8 @@ pub fn documents(path: &Path) -> Vec<Document> {
 #[must_use]
 pub fn points_of<const D: usize>(document: &Document) -> Option<Case<D>> {
     let finite = document.points.iter().all(|x| x.is_finite());
-    (document.dimension == D && finite).then(|| {
-        Case::of_points(&document.name, document.points.as_chunks::<D>().0.to_vec())
-    })
+    (document.dimension == D && finite)
+        .then(|| Case::of_points(&document.name, document.points.as_chunks::<D>().0.to_vec()))
 }
 
 /// A document's points and segments.

@@ -22,10 +22,7 @@ pub fn scaled<const D: usize>(points: &[[f64; D]], k: i32) -> Option<Vec<[f64; D
 
 /// All points plus `offset`, if every sum is exact.
 #[must_use]
-pub fn translated<const D: usize>(
-    points: &[[f64; D]],
-    offset: [f64; D],
-) -> Option<Vec<[f64; D]>> {
+pub fn translated<const D: usize>(points: &[[f64; D]], offset: [f64; D]) -> Option<Vec<[f64; D]>> {
     each(points, |axis, x| {
         let (sum, lost) = two_sum(x, offset[axis]);
         (sum.is_finite() && lost == 0.0).then_some(sum)

@@ -77,16 +77,14 @@ fn accept_links<const D: usize>(name: &str, mesh: &Mesh<D>) {
     let corners = mesh.corner_count();
     let ghost = u32::MAX;
     let number = |v: &VertexId| if v.is_ghost() { ghost } else { id(v.index()) };
-    let vertices: Vec<u32> =
-        mesh.cells().flat_map(|cell| mesh.corners(cell)).map(number).collect();
+    let vertices: Vec<u32> = mesh.cells().flat_map(|cell| mesh.corners(cell)).map(number).collect();
     let twins: Vec<u32> = mesh
         .cells()
         .flat_map(|cell| mesh.facets(cell))
         .map(|facet| mesh.twin(facet))
         .map(|twin| id(twin.cell().index() * corners + twin.corner()))
         .collect();
-    let links =
-        Links { dimension: mesh.dimension(), vertices: &vertices, twins: &twins, ghost };
+    let links = Links { dimension: mesh.dimension(), vertices: &vertices, twins: &twins, ghost };
     let verdict = judge_links(&links, &Options::default());
     assert!(verdict.ok && verdict.level == Level::Linked, "{name}: {verdict}");
 }

@@ -15,8 +15,8 @@
 mod constrained;
 mod delaunay;
 
-pub use constrained::{ConstrainedLaw, constrained_laws};
-pub use delaunay::{DelaunayLaw, delaunay_laws};
+pub use constrained::constrained_laws;
+pub use delaunay::delaunay_laws;
 
 use delone::delaunay::{KernelKind, Options, Order};
 
@@ -25,15 +25,15 @@ use crate::exact;
 
 /// A law with its name.
 #[derive(Clone, Copy, Debug)]
-pub struct Law<F> {
+pub struct Law<const D: usize> {
     /// Its name in the table above.
     pub name: &'static str,
     /// Panics if the input breaks it; says in how many ways it was tried.
-    pub hold: F,
+    pub hold: fn(&Case<D>) -> usize,
 }
 
 /// Demands every law of one input.
-pub fn obey<const D: usize>(laws: &[Law<fn(&Case<D>) -> usize>], case: &Case<D>) {
+pub fn obey<const D: usize>(laws: &[Law<D>], case: &Case<D>) {
     for law in laws {
         let _times = (law.hold)(case);
     }

@@ -87,8 +87,7 @@ fn all_segments() -> Vec<[u32; 2]> {
 
 /// The sign of the turn a, b, c on the grid.
 fn turn(a: u32, b: u32, c: u32) -> i32 {
-    let [[ax, ay], [bx, by], [cx, cy]] =
-        [a, b, c].map(|v| [v / 3, v % 3].map(u32::cast_signed));
+    let [[ax, ay], [bx, by], [cx, cy]] = [a, b, c].map(|v| [v / 3, v % 3].map(u32::cast_signed));
     ((bx - ax) * (cy - ay) - (by - ay) * (cx - ax)).signum()
 }
 
@@ -104,7 +103,8 @@ fn cross([a, b]: [u32; 2], [c, d]: [u32; 2]) -> bool {
 fn check_segments(segments: &[[u32; 2]]) -> bool {
     let case = Case::new(format!("segments {segments:?}"), square(), segments.to_vec());
     let pslg = case.try_pslg();
-    let crossing = segments.iter().enumerate().any(|(i, &s)| segments[..i].iter().any(|&t| cross(s, t)));
+    let crossing =
+        segments.iter().enumerate().any(|(i, &s)| segments[..i].iter().any(|&t| cross(s, t)));
     assert_eq!(pslg.is_none(), crossing, "{}: refused, or crossing", case.name);
     let Some(pslg) = pslg else { return false };
     let result = cavity(&pslg, &Options::default(), &mut ());
@@ -145,9 +145,8 @@ fn triples_of_segments() {
 
 /// Segments without a site inside them.
 fn primitive() -> Vec<[u32; 2]> {
-    let inside = |[a, b]: [u32; 2], v: u32| {
-        v != a && v != b && turn(a, b, v) == 0 && (a < v) == (v < b)
-    };
+    let inside =
+        |[a, b]: [u32; 2], v: u32| v != a && v != b && turn(a, b, v) == 0 && (a < v) == (v < b);
     all_segments().into_iter().filter(|&s| (0..9).all(|v| !inside(s, v))).collect()
 }
 
@@ -159,7 +158,8 @@ fn for_each_triangulation(mut found: impl FnMut(&[[u32; 2]])) {
     loop {
         while chosen.len() < all.len() {
             let next = all[chosen.len()];
-            let fits = chosen.iter().all(|&(i, with): &(usize, bool)| !with || !cross(all[i], next));
+            let fits =
+                chosen.iter().all(|&(i, with): &(usize, bool)| !with || !cross(all[i], next));
             chosen.push((chosen.len(), fits));
         }
         let set: Vec<[u32; 2]> = chosen.iter().filter(|c| c.1).map(|c| all[c.0]).collect();

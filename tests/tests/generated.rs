@@ -26,13 +26,23 @@ enum Atom<const D: usize> {
     /// Which of the points with these coordinates, up to order and sign; their squares sum to one number.
     Round(usize, [bool; D]),
     /// Coordinate `axis` of point `of`, the rest free.
-    Shares { of: usize, axis: usize, rest: [f64; D] },
+    Shares {
+        of: usize,
+        axis: usize,
+        rest: [f64; D],
+    },
     /// The middle of two points, rounded.
     Middle(usize, usize),
 }
 
-const TRIPLES: [[f64; 3]; 6] =
-    [[7.0, 4.0, 4.0], [4.0, 7.0, 4.0], [1.0, 4.0, 8.0], [8.0, 1.0, 4.0], [9.0, 0.0, 0.0], [3.0, 6.0, 6.0]];
+const TRIPLES: [[f64; 3]; 6] = [
+    [7.0, 4.0, 4.0],
+    [4.0, 7.0, 4.0],
+    [1.0, 4.0, 8.0],
+    [8.0, 1.0, 4.0],
+    [9.0, 0.0, 0.0],
+    [3.0, 6.0, 6.0],
+];
 const PAIRS: [[f64; 2]; 6] =
     [[33.0, 4.0], [32.0, 9.0], [31.0, 12.0], [24.0, 23.0], [4.0, 33.0], [23.0, 24.0]];
 

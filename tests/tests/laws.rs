@@ -10,7 +10,7 @@ use delone_tests::corpus::{Size, graphs, plane, pslgs, space};
 use delone_tests::laws::{Law, constrained_laws, delaunay_laws};
 use delone_tests::say;
 
-fn hold_all<const D: usize>(laws: &[Law<fn(&Case<D>) -> usize>], cases: &[Case<D>]) {
+fn hold_all<const D: usize>(laws: &[Law<D>], cases: &[Case<D>]) {
     assert!(!cases.is_empty(), "the corpus is there");
     let mut tried: BTreeMap<&str, usize> = BTreeMap::new();
     for law in laws {
@@ -20,7 +20,7 @@ fn hold_all<const D: usize>(laws: &[Law<fn(&Case<D>) -> usize>], cases: &[Case<D
     say(format!("{} inputs: {tried:?}", cases.len()));
 }
 
-fn never_idle<const D: usize>(laws: &[Law<fn(&Case<D>) -> usize>], cases: &[Case<D>]) {
+fn never_idle<const D: usize>(laws: &[Law<D>], cases: &[Case<D>]) {
     for law in laws {
         let count: usize = cases.iter().map(|case| (law.hold)(case)).sum();
         assert!(count > 0, "no input of {} tries `{}`", cases.len(), law.name);
@@ -60,8 +60,7 @@ fn middle_graphs() {
 #[test]
 fn every_law_has_an_input_that_tries_it() {
     let square = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0], [1.0, 2.0]];
-    let cube: Vec<[f64; 3]> =
-        (0..8u8).map(|i| [i / 4, i / 2 % 2, i % 2].map(f64::from)).collect();
+    let cube: Vec<[f64; 3]> = (0..8u8).map(|i| [i / 4, i / 2 % 2, i % 2].map(f64::from)).collect();
     never_idle(&delaunay_laws::<2>(), &[Case::of_points("square", square.to_vec())]);
     never_idle(&delaunay_laws::<3>(), &[Case::of_points("cube", cube)]);
     never_idle(&constrained_laws(), &[Case::new("square", square.to_vec(), vec![[0, 2]])]);

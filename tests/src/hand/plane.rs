@@ -10,7 +10,10 @@ pub fn plane() -> Vec<Case<2>> {
     cases.extend(in_line());
     cases.extend(cocircular());
     cases.extend(at_the_ends_of_the_range());
-    cases.into_iter().map(|(name, points)| Case::of_points(format!("hand {name}"), points)).collect()
+    cases
+        .into_iter()
+        .map(|(name, points)| Case::of_points(format!("hand {name}"), points))
+        .collect()
 }
 
 type Named = (&'static str, Vec<[f64; 2]>);

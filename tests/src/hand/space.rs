@@ -9,7 +9,10 @@ pub fn space() -> Vec<Case<3>> {
     let mut cases = flat();
     cases.extend(cospherical());
     cases.extend(at_the_ends_of_the_range());
-    cases.into_iter().map(|(name, points)| Case::of_points(format!("hand {name}"), points)).collect()
+    cases
+        .into_iter()
+        .map(|(name, points)| Case::of_points(format!("hand {name}"), points))
+        .collect()
 }
 
 type Named = (&'static str, Vec<[f64; 3]>);
@@ -63,7 +66,10 @@ fn cospherical() -> Vec<Named> {
 
 fn at_the_ends_of_the_range() -> Vec<Named> {
     let cube = |s: f64| -> Vec<[f64; 3]> {
-        lattice(2, |x, y, z| [x, y, z].map(|i| 2 * i - 1)).iter().map(|p| p.map(|x| x * s)).collect()
+        lattice(2, |x, y, z| [x, y, z].map(|i| 2 * i - 1))
+            .iter()
+            .map(|p| p.map(|x| x * s))
+            .collect()
     };
     vec![
         ("the largest cube", cube(HUGE)),

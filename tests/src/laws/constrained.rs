@@ -10,12 +10,9 @@ use crate::case::Case;
 use crate::cells::delaunay_cells;
 use crate::judge::{Rigour, accept_constrained};
 
-/// A law of planar straight-line graphs whose segments do not cross.
-pub type ConstrainedLaw = Law<fn(&Case<2>) -> usize>;
-
-/// Every law.
+/// Every law of planar straight-line graphs whose segments do not cross.
 #[must_use]
-pub fn constrained_laws() -> Vec<ConstrainedLaw> {
+pub fn constrained_laws() -> Vec<Law<2>> {
     vec![
         Law { name: "valid", hold: valid },
         Law { name: "agreement", hold: agreement },

@@ -8,12 +8,9 @@ use crate::case::Case;
 use crate::cells::delaunay_cells;
 use crate::judge::{Rigour, accept_delaunay};
 
-/// A law of point sets.
-pub type DelaunayLaw<const D: usize> = Law<fn(&Case<D>) -> usize>;
-
-/// Every law, in D dimensions.
+/// Every law of point sets, in D dimensions.
 #[must_use]
-pub fn delaunay_laws<const D: usize>() -> Vec<DelaunayLaw<D>> {
+pub fn delaunay_laws<const D: usize>() -> Vec<Law<D>> {
     vec![
         Law { name: "valid", hold: valid },
         Law { name: "agreement", hold: agreement },
@@ -115,7 +112,8 @@ fn face_count(cells: &[u32], corners: usize, size: usize) -> usize {
     let masks = (1..1u32 << corners).filter(|mask| mask.count_ones() as usize == size);
     let mut faces: Vec<Vec<u32>> = Vec::new();
     for mask in masks {
-        let face = |cell: &[u32]| (0..corners).filter(|i| mask >> i & 1 == 1).map(|i| cell[i]).collect();
+        let face =
+            |cell: &[u32]| (0..corners).filter(|i| mask >> i & 1 == 1).map(|i| cell[i]).collect();
         faces.extend(cells.chunks(corners).map(face));
     }
     faces.sort_unstable();

@@ -39,7 +39,7 @@ fn laws<const D: usize>() {
             let (order, parity) = permutation(D + 1, &mut rng);
             let turned = signs.map(|sign| sign.times_minus_one_to(parity));
             assert_eq!(both(&points, &order, D + 1), turned, "{points:?} {order:?}");
-            let k = i32::try_from(rng.integer(-400, 400)).unwrap();
+            let k = i32::try_from(rng.integer(-400, 400)).expect("small");
             if let Some(image) = scaled(&points, k) {
                 assert_eq!(both(&image, &ids, D + 1), signs, "{points:?} times 2^{k}");
                 scalings += 1;

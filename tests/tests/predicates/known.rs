@@ -14,7 +14,11 @@ fn turn([a, b, c]: [[f64; 2]; 3], expected: Sign) {
 }
 
 fn circle([a, b, c, d]: [[f64; 2]; 4], expected: Sign) {
-    assert_eq!(oracle::lifted(&[&a, &b, &c, &d]), expected, "the oracle on {a:?} {b:?} {c:?} {d:?}");
+    assert_eq!(
+        oracle::lifted(&[&a, &b, &c, &d]),
+        expected,
+        "the oracle on {a:?} {b:?} {c:?} {d:?}"
+    );
     assert_eq!(in_circle(a, b, c, d), expected, "{a:?} {b:?} {c:?} {d:?}");
     assert_eq!(in_circle(c, a, b, d), expected, "{c:?} {a:?} {b:?} {d:?}");
 }
@@ -106,5 +110,8 @@ fn a_circle_of_small_integers_but_one() {
 /// `predicates.c` compiled with contraction to fused products: +1.
 #[test]
 fn a_turn_of_the_kettner_grid() {
-    turn([[0.500_000_000_000_01, 0.500_000_000_000_008], [12.0, 12.0], [24.0, 24.0]], Sign::Negative);
+    turn(
+        [[0.500_000_000_000_01, 0.500_000_000_000_008], [12.0, 12.0], [24.0, 24.0]],
+        Sign::Negative,
+    );
 }

@@ -29,7 +29,10 @@ fn each<const D: usize>(name: &str, n: usize, mut check: impl FnMut(&[[f64; D]])
         for _ in 0..rounds(class) {
             let points = points::<D>(class, n, &mut rng);
             let sign = check(&points);
-            counts[[Sign::Negative, Sign::Zero, Sign::Positive].iter().position(|&s| s == sign).unwrap_or(0)] += 1;
+            counts[[Sign::Negative, Sign::Zero, Sign::Positive]
+                .iter()
+                .position(|&s| s == sign)
+                .unwrap_or(0)] += 1;
         }
     }
     say(format!("{name}: {counts:?} negative, zero, positive, by each kernel"));
