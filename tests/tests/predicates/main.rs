@@ -8,10 +8,12 @@
 //! | `signs` | the comparison |
 //! | `bound` | inputs whose floating-point determinant is near the filter's error bound |
 //! | `algebra` | permutations, scaling, translation, the perturbation |
+//! | `fixtures` | the collected ones of another program |
 //! | `known` | inputs on which other programs are wrong |
 
 mod algebra;
 mod bound;
+mod fixtures;
 mod inputs;
 mod known;
 mod oracle;
