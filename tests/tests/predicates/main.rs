@@ -8,12 +8,14 @@
 //! | `signs` | the comparison |
 //! | `bound` | inputs whose floating-point determinant is near the filter's error bound |
 //! | `algebra` | permutations, scaling, translation, the perturbation |
+//! | `headroom` | determinants that fill the exact integers |
 //! | `fixtures` | the collected ones of another program |
 //! | `known` | inputs on which other programs are wrong |
 
 mod algebra;
 mod bound;
 mod fixtures;
+mod headroom;
 mod inputs;
 mod known;
 mod oracle;
