@@ -1,1 +1,50 @@
-//! tests.
+//! Cross-crate tests: laws x algorithms x corpus, exhaustive small worlds, opponents.
+//!
+//! | net (a file of `tests/`) | what it demands | of |
+//! |---|---|---|
+//! | `laws` | all [`laws`] | the whole [`corpus`] |
+//! | `exhaustive` | the definition, by brute force | every small input of a kind |
+//! | `cavities` | validity | 8,000 wide cavities with dangling edges |
+//! | `predicates` | the exact sign | 10^5 calls, over the full range of doubles |
+//! | `cgal`, `spade` | the same triangulation as another program's | workloads, and the collected files |
+//! | `generated` | all laws, shrinking what fails | structured random inputs |
+//! | `regressions` | all laws | `regressions/`, which only grows |
+//!
+//! **Order of trust** where programs disagree: the judge (`delone::check`), CGAL, spade.
+//!
+//! **In.** Nothing. The collected files are looked for in `../shared/data`, beside the workspace, or in the folder that
+//! `DELONE_DATA` names; CGAL at `target/peers/cgal` (`cargo xtask setup`). What is not there is skipped, and said so.
+//! With `DELONE_LONG=1` the largest files are taken as well.
+//!
+//! **Modules.** [`case`] one input; [`corpus`] all of them, of [`hand`] and [`data`]; [`judge`] and [`cells`] what is
+//! compared; [`laws`]; [`cgal`] the opponent.
+
+#![expect(clippy::missing_panics_doc, reason = "panicking is how a test's helper speaks")]
+
+pub mod case;
+pub mod cells;
+pub mod cgal;
+pub mod corpus;
+pub mod data;
+pub mod exact;
+pub mod hand;
+pub mod judge;
+pub mod laws;
+
+/// Says on standard error what a test skipped or counted.
+#[expect(clippy::print_stderr, reason = "tests tell what they did not do")]
+pub fn say(text: impl AsRef<str>) {
+    eprintln!("{}", text.as_ref());
+}
+
+/// An index as an id.
+#[must_use]
+pub fn id(index: usize) -> u32 {
+    u32::try_from(index).expect("test inputs have fewer than 2^32 points")
+}
+
+/// Whether the long version of a test is asked for.
+#[must_use]
+pub fn long() -> bool {
+    std::env::var("DELONE_LONG").is_ok_and(|value| value == "1")
+}

@@ -1,0 +1,111 @@
+//! CGAL behind a pipe: the client of `peers/cgal.cpp`, whose head tells the protocol.
+
+use std::fmt::Write as _;
+use std::io::{BufRead, BufReader, Write as _};
+use std::path::Path;
+use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
+
+use crate::say;
+
+/// A running peer.
+#[derive(Debug)]
+pub struct Cgal {
+    child: Child,
+    to: ChildStdin,
+    from: BufReader<ChildStdout>,
+}
+
+/// What CGAL answers.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Answer {
+    /// The finite cells, sorted, each with its vertices sorted, flat; and the dimension, -1 for no points.
+    Cells {
+        /// Of the triangulation.
+        dimension: i32,
+        /// dimension + 1 ids each.
+        cells: Vec<u32>,
+    },
+    /// It threw.
+    Refused(String),
+}
+
+impl Cgal {
+    /// Starts it; `None`, said aloud, if it is not built.
+    #[must_use]
+    pub fn start() -> Option<Self> {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+        let binary = root.join("target/peers/cgal");
+        let mut command = Command::new(&binary);
+        command.stdin(Stdio::piped()).stdout(Stdio::piped());
+        let Ok(mut child) = command.spawn() else {
+            say("skipped: CGAL is not built (`cargo xtask setup` builds it)");
+            return None;
+        };
+        let to = child.stdin.take().expect("its input is piped");
+        let from = BufReader::new(child.stdout.take().expect("its output is piped"));
+        Some(Self { child, to, from })
+    }
+
+    /// The Delaunay triangulation of distinct points in the plane or in space.
+    pub fn delaunay<const D: usize>(&mut self, points: &[[f64; D]]) -> Answer {
+        let mut request = format!("delaunay{D} {}\n", points.len());
+        write_points(&mut request, points);
+        self.ask(&request)
+    }
+
+    /// The constrained Delaunay triangulation of distinct points and segments.
+    pub fn cdt(&mut self, points: &[[f64; 2]], segments: &[[u32; 2]]) -> Answer {
+        let mut request = format!("cdt {} {}\n", points.len(), segments.len());
+        write_points(&mut request, points);
+        for [a, b] in segments {
+            writeln!(request, "{a} {b}").expect("text grows");
+        }
+        self.ask(&request)
+    }
+
+    fn ask(&mut self, request: &str) -> Answer {
+        self.to.write_all(request.as_bytes()).expect("CGAL listens");
+        self.to.flush().expect("CGAL listens");
+        let head = self.line();
+        let Some(rest) = head.strip_prefix("ok ") else {
+            return Answer::Refused(head);
+        };
+        let mut words = rest.split_whitespace();
+        let dimension: i32 = words.next().and_then(|w| w.parse().ok()).expect("a dimension");
+        let count: usize = words.next().and_then(|w| w.parse().ok()).expect("a count");
+        let mut cells: Vec<Vec<u32>> = Vec::with_capacity(count);
+        for _ in 0..count {
+            let line = self.line();
+            let ids = line.split_whitespace().map(|id| id.parse().expect("an id"));
+            let mut cell: Vec<u32> = ids.collect();
+            cell.sort_unstable();
+            cells.push(cell);
+        }
+        cells.sort_unstable();
+        Answer::Cells { dimension, cells: cells.concat() }
+    }
+
+    fn line(&mut self) -> String {
+        let mut line = String::new();
+        let read = self.from.read_line(&mut line).expect("CGAL answers");
+        assert!(read > 0, "CGAL went away: it crashed on the last request");
+        line.trim_end().to_owned()
+    }
+}
+
+impl Drop for Cgal {
+    fn drop(&mut self) {
+        // An error means that it is gone, which is what we want.
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+fn write_points<const D: usize>(request: &mut String, points: &[[f64; D]]) {
+    for point in points {
+        for x in point {
+            write!(request, "{:016x} ", x.to_bits()).expect("text grows");
+        }
+        request.push('\n');
+    }
+}

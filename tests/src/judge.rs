@@ -1,0 +1,90 @@
+//! Results as plain data, and before the judge.
+
+use delone::cdt::Cdt;
+use delone::check::{
+    Backend, Complex, Level, Links, Options, Verdict, judge_constrained, judge_delaunay,
+    judge_links,
+};
+use delone::delaunay::Delaunay;
+use delone::mesh::{Mesh, VertexId};
+use delone::{Pslg, Sites};
+
+use crate::case::Case;
+use crate::id;
+
+/// How hard to look.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rigour {
+    /// The judge's default.
+    Once,
+    /// Every backend, with and without filters, all of one verdict.
+    EveryWay,
+}
+
+/// Accepts a Delaunay triangulation of the case, or panics with the verdict.
+pub fn accept_delaunay<const D: usize>(
+    case: &Case<D>,
+    sites: &Sites<D>,
+    result: &Delaunay<D>,
+    rigour: Rigour,
+) {
+    accept_links(&case.name, result.mesh());
+    let cells = solid_cells(result.mesh(), sites.input_of());
+    let dimension = result.mesh().dimension();
+    let complex = Complex { points: &case.points, dimension, cells: &cells };
+    accept(&case.name, Level::Delaunay, rigour, |options| judge_delaunay(&complex, options));
+}
+
+/// Accepts a constrained Delaunay triangulation of the case, or panics with the verdict.
+pub fn accept_constrained(case: &Case<2>, pslg: &Pslg, result: &Cdt, rigour: Rigour) {
+    accept_links(&case.name, result.mesh());
+    let input_of = pslg.sites().input_of();
+    let cells = solid_cells(result.mesh(), input_of);
+    let flagged: Vec<[u32; 2]> = result
+        .constrained_edges()
+        .into_iter()
+        .map(|edge| edge.map(|site| input_of[site as usize]))
+        .collect();
+    let dimension = result.mesh().dimension();
+    let complex = Complex { points: &case.points, dimension, cells: &cells };
+    accept(&case.name, Level::Constrained, rigour, |options| {
+        judge_constrained(&complex, &case.segments, &flagged, options)
+    });
+}
+
+fn accept(name: &str, level: Level, rigour: Rigour, judge: impl Fn(&Options) -> Verdict) {
+    let first = judge(&Options::default());
+    assert!(first.ok && first.level == level, "{name}: {first}");
+    if rigour == Rigour::EveryWay {
+        for &backend in Backend::all() {
+            for filtered in [false, true] {
+                let other = judge(&Options { backend, filtered, ..Options::default() });
+                assert_eq!(other, first, "{name}: {backend:?}, filtered {filtered}");
+            }
+        }
+    }
+}
+
+/// The corners of the solid cells, flat, as input points.
+#[must_use]
+pub fn solid_cells<const D: usize>(mesh: &Mesh<D>, input_of: &[u32]) -> Vec<u32> {
+    let corners = mesh.solid_cells().flat_map(|cell| mesh.corners(cell));
+    corners.map(|v| input_of[v.index()]).collect()
+}
+
+/// The whole mesh, ghosts included, is a closed oriented sphere.
+fn accept_links<const D: usize>(name: &str, mesh: &Mesh<D>) {
+    let corners = mesh.corner_count();
+    let ghost = u32::MAX;
+    let number = |v: &VertexId| if v.is_ghost() { ghost } else { id(v.index()) };
+    let vertices: Vec<u32> = mesh.cells().flat_map(|cell| mesh.corners(cell)).map(number).collect();
+    let twins: Vec<u32> = mesh
+        .cells()
+        .flat_map(|cell| mesh.facets(cell))
+        .map(|facet| mesh.twin(facet))
+        .map(|twin| id(twin.cell().index() * corners + twin.corner()))
+        .collect();
+    let links = Links { dimension: mesh.dimension(), vertices: &vertices, twins: &twins, ghost };
+    let verdict = judge_links(&links, &Options::default());
+    assert!(verdict.ok && verdict.level == Level::Linked, "{name}: {verdict}");
+}

@@ -1,0 +1,135 @@
+//! The laws of constrained Delaunay triangulations.
+
+use delone::cdt::{Cdt, algorithms, cavity};
+use delone::check::naive;
+use delone::delaunay::{Options, delaunay};
+
+use super::delaunay::in_input_ids;
+use super::{Law, THOROUGH_MAX, all_options, scalings, symmetries, translations};
+use crate::case::Case;
+use crate::cells::delaunay_cells;
+use crate::judge::{Rigour, accept_constrained};
+
+/// Every law of planar straight-line graphs whose segments do not cross.
+#[must_use]
+pub fn constrained_laws() -> Vec<Law<2>> {
+    vec![
+        Law { name: "valid", hold: valid },
+        Law { name: "agreement", hold: agreement },
+        Law { name: "order", hold: order },
+        Law { name: "scaling", hold: |case| same_cells(case, scalings(case)) },
+        Law { name: "translation", hold: |case| same_cells(case, translations(case)) },
+        Law { name: "symmetry", hold: symmetry },
+        Law { name: "idempotence", hold: idempotence },
+        Law { name: "euler", hold: euler },
+        Law { name: "definition", hold: definition },
+    ]
+}
+
+fn run(case: &Case<2>) -> Cdt {
+    cavity(&case.pslg(), &Options::default(), &mut ())
+}
+
+fn valid(case: &Case<2>) -> usize {
+    let pslg = case.pslg();
+    let rigour = if case.points.len() <= THOROUGH_MAX { Rigour::EveryWay } else { Rigour::Once };
+    let algorithms = algorithms();
+    for algorithm in &algorithms {
+        let result = (algorithm.run)(&pslg, &Options::default());
+        accept_constrained(case, &pslg, &result, rigour);
+    }
+    algorithms.len()
+}
+
+fn agreement(case: &Case<2>) -> usize {
+    let pslg = case.pslg();
+    let first = run(case);
+    let (algorithms, options) = (algorithms(), all_options());
+    for algorithm in &algorithms {
+        for options in &options {
+            let other = (algorithm.run)(&pslg, options);
+            let which = format!("{}: {} {options:?}", case.name, algorithm.name);
+            assert_eq!(other.canonical(), first.canonical(), "{which}");
+            assert_eq!(other.constrained_edges(), first.constrained_edges(), "{which}");
+        }
+    }
+    algorithms.len() * options.len()
+}
+
+fn order(case: &Case<2>) -> usize {
+    let print = |case: &Case<2>| run(case).fingerprint(&case.pslg());
+    let first = print(case);
+    for seed in 1..=3 {
+        let shuffled = case.shuffled(seed);
+        assert_eq!(print(&shuffled), first, "{}", shuffled.name);
+    }
+    3
+}
+
+fn same_cells(case: &Case<2>, images: Vec<Case<2>>) -> usize {
+    let first = run(case);
+    for image in &images {
+        let other = run(image);
+        assert_eq!(other.canonical(), first.canonical(), "{}", image.name);
+        assert_eq!(other.constrained_edges(), first.constrained_edges(), "{}", image.name);
+    }
+    images.len()
+}
+
+fn symmetry(case: &Case<2>) -> usize {
+    let cells = |case: &Case<2>| {
+        let (pslg, result) = (case.pslg(), run(case));
+        let corners = result.mesh().corner_count();
+        let edges = result.constrained_edges();
+        delaunay_cells(pslg.sites().points(), &result.canonical(), corners, &edges)
+    };
+    let first = cells(case);
+    let images = symmetries(case);
+    for image in &images {
+        assert_eq!(cells(image), first, "{}", image.name);
+    }
+    images.len()
+}
+
+/// All edges of the result as segments: nothing is left to choose. No segments: plain Delaunay.
+fn idempotence(case: &Case<2>) -> usize {
+    let (pslg, first) = (case.pslg(), run(case));
+    let corners = first.mesh().corner_count();
+    let mut segments = Vec::new();
+    for cell in first.canonical().chunks(corners.max(1)) {
+        for (i, &v) in cell.iter().enumerate() {
+            segments.extend(cell[..i].iter().map(|&u| [u, v]));
+        }
+    }
+    let name = format!("{}, its own edges", case.name);
+    let again = run(&Case::new(name, pslg.sites().points().to_vec(), segments));
+    assert_eq!(again.canonical(), first.canonical(), "{}, its own edges", case.name);
+    let free = run(&case.without_segments());
+    let plain = delaunay(pslg.sites(), &Options::default(), &mut ());
+    assert_eq!(free.canonical(), plain.canonical(), "{}, without segments", case.name);
+    2
+}
+
+fn euler(case: &Case<2>) -> usize {
+    let result = run(case);
+    if result.mesh().dimension() != Some(2) {
+        return 0;
+    }
+    let (n, h) = (case.sites().len(), result.mesh().ghost_cells().count());
+    assert_eq!(result.mesh().solid_cells().count() + 2 + h, 2 * n, "{}", case.name);
+    1
+}
+
+/// The most points for which brute force is quick.
+const NAIVE_MAX: usize = 12;
+
+fn definition(case: &Case<2>) -> usize {
+    if case.points.len() > NAIVE_MAX {
+        return 0;
+    }
+    let (pslg, result) = (case.pslg(), run(case));
+    let corners = result.mesh().corner_count();
+    let found = in_input_ids(&result.canonical(), corners, pslg.sites().input_of());
+    assert_eq!(found, naive::constrained(&case.points, &case.segments), "{}", case.name);
+    1
+}

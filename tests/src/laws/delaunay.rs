@@ -1,0 +1,149 @@
+//! The laws of Delaunay triangulations.
+
+use delone::check::naive;
+use delone::delaunay::{Delaunay, Options, algorithms, delaunay};
+
+use super::{Law, THOROUGH_MAX, all_options, scalings, symmetries, translations};
+use crate::case::Case;
+use crate::cells::delaunay_cells;
+use crate::judge::{Rigour, accept_delaunay};
+
+/// Every law of point sets, in D dimensions.
+#[must_use]
+pub fn delaunay_laws<const D: usize>() -> Vec<Law<D>> {
+    vec![
+        Law { name: "valid", hold: valid },
+        Law { name: "agreement", hold: agreement },
+        Law { name: "order", hold: order },
+        Law { name: "scaling", hold: |case| same_cells(case, scalings(case)) },
+        Law { name: "translation", hold: |case| same_cells(case, translations(case)) },
+        Law { name: "symmetry", hold: symmetry },
+        Law { name: "euler", hold: euler },
+        Law { name: "definition", hold: definition },
+    ]
+}
+
+fn run<const D: usize>(case: &Case<D>) -> Delaunay<D> {
+    delaunay(&case.sites(), &Options::default(), &mut ())
+}
+
+fn valid<const D: usize>(case: &Case<D>) -> usize {
+    let sites = case.sites();
+    let rigour = if case.points.len() <= THOROUGH_MAX { Rigour::EveryWay } else { Rigour::Once };
+    let algorithms = algorithms::<D>();
+    for algorithm in &algorithms {
+        let result = (algorithm.run)(&sites, &Options::default());
+        accept_delaunay(case, &sites, &result, rigour);
+    }
+    algorithms.len()
+}
+
+fn agreement<const D: usize>(case: &Case<D>) -> usize {
+    let sites = case.sites();
+    let first = run(case).canonical();
+    let (algorithms, options) = (algorithms::<D>(), all_options());
+    for algorithm in &algorithms {
+        for options in &options {
+            let other = (algorithm.run)(&sites, options).canonical();
+            assert_eq!(other, first, "{}: {} {options:?}", case.name, algorithm.name);
+        }
+    }
+    algorithms.len() * options.len()
+}
+
+fn order<const D: usize>(case: &Case<D>) -> usize {
+    let print = |case: &Case<D>| run(case).fingerprint(&case.sites());
+    let first = print(case);
+    for seed in 1..=3 {
+        let shuffled = case.shuffled(seed);
+        assert_eq!(print(&shuffled), first, "{}", shuffled.name);
+    }
+    3
+}
+
+/// The images, same points in the same order of ids and of coordinates, have the cells of the case.
+fn same_cells<const D: usize>(case: &Case<D>, images: Vec<Case<D>>) -> usize {
+    let first = run(case).canonical();
+    for image in &images {
+        assert_eq!(run(image).canonical(), first, "{}", image.name);
+    }
+    images.len()
+}
+
+fn symmetry<const D: usize>(case: &Case<D>) -> usize {
+    let cells = |case: &Case<D>| {
+        let result = run(case);
+        let corners = result.mesh().corner_count();
+        delaunay_cells(case.sites().points(), &result.canonical(), corners, &[])
+    };
+    let first = cells(case);
+    let images = symmetries(case);
+    for image in &images {
+        assert_eq!(cells(image), first, "{}", image.name);
+    }
+    images.len()
+}
+
+/// Of the solid cells: `sum (-1)^i (number of i-faces) = 1`; in the plane, `2n - 2 - h` triangles.
+fn euler<const D: usize>(case: &Case<D>) -> usize {
+    let result = run(case);
+    let mesh = result.mesh();
+    let corners = mesh.corner_count();
+    if corners == 0 {
+        assert_eq!((mesh.cell_count(), case.points.len()), (0, 0), "{}", case.name);
+        return 1;
+    }
+    let cells = result.canonical();
+    let mut sum = 0isize;
+    for size in 1..=corners {
+        let count = isize::try_from(face_count(&cells, corners, size)).expect("a small count");
+        sum += if size % 2 == 1 { count } else { -count };
+    }
+    assert_eq!(sum, 1, "{}: euler characteristic", case.name);
+    if corners == 3 {
+        let (n, h) = (case.sites().len(), mesh.ghost_cells().count());
+        assert_eq!(mesh.solid_cells().count() + 2 + h, 2 * n, "{}", case.name);
+    }
+    1
+}
+
+/// The number of distinct faces of `size` vertices.
+fn face_count(cells: &[u32], corners: usize, size: usize) -> usize {
+    let masks = (1..1u32 << corners).filter(|mask| mask.count_ones() as usize == size);
+    let mut faces: Vec<Vec<u32>> = Vec::new();
+    for mask in masks {
+        let face =
+            |cell: &[u32]| (0..corners).filter(|i| mask >> i & 1 == 1).map(|i| cell[i]).collect();
+        faces.extend(cells.chunks(corners).map(face));
+    }
+    faces.sort_unstable();
+    faces.dedup();
+    faces.len()
+}
+
+/// The most points for which brute force is quick.
+fn naive_max(dimension: usize) -> usize {
+    if dimension <= 2 { 16 } else { 11 }
+}
+
+fn definition<const D: usize>(case: &Case<D>) -> usize {
+    if case.points.len() > naive_max(D) {
+        return 0;
+    }
+    let result = run(case);
+    let input_of = case.sites().input_of().to_vec();
+    let found = in_input_ids(&result.canonical(), result.mesh().corner_count(), &input_of);
+    assert_eq!(found, naive::delaunay(&case.points), "{}", case.name);
+    1
+}
+
+/// Cells of sites as sorted cells of input points.
+pub(super) fn in_input_ids(cells: &[u32], corners: usize, input_of: &[u32]) -> Vec<Vec<u32>> {
+    let mut cells: Vec<Vec<u32>> = cells
+        .chunks(corners.max(1))
+        .map(|cell| cell.iter().map(|&site| input_of[site as usize]).collect())
+        .collect();
+    cells.iter_mut().for_each(|cell| cell.sort_unstable());
+    cells.sort_unstable();
+    cells
+}

@@ -1,0 +1,211 @@
+//! Exhaustive small worlds: every input of a kind, against the definition.
+//!
+//! | world | inputs | against |
+//! |---|---|---|
+//! | subsets of the 4 x 3 grid | all 4,096 | the judge, `naive::delaunay` |
+//! | subsets of the 3 x 3 x 2 grid that touch x = 0, y = 0 and z = 0 (the others are translates) | one in twelve; all with `DELONE_LONG=1` | the judge; every 16th `naive::delaunay` |
+//! | subsets of the 3 x 3 x 3 grid | 1,500 random ones | the judge; those of at most 10 sites `naive::delaunay` |
+//! | segments on the 3 x 3 grid | all 36, all 630 pairs, every 5th of the 7,140 triples (all with `DELONE_LONG=1`) | `naive::constrained`, the judge |
+//! | triangulations of the 3 x 3 grid | all 64, all edges given; each again without each edge | `naive::constrained` |
+//! | sets of segments on the 3 x 3 grid | 600 random maximal ones, thinned | `naive::constrained`, the judge |
+//!
+//! A set of segments must be refused exactly if two of them cross at a point that is no site: decided here by integers.
+
+use delone::cdt::cavity;
+use delone::check::naive;
+use delone::delaunay::{Options, delaunay};
+use delone::workloads::Rng;
+use delone_tests::case::Case;
+use delone_tests::judge::{Rigour, accept_constrained, accept_delaunay};
+
+fn subset<const D: usize>(grid: &[[f64; D]], mask: u32) -> Case<D> {
+    let points = (0u32..).zip(grid).filter(|(i, _)| mask >> i & 1 == 1).map(|(_, &p)| p).collect();
+    Case::of_points(format!("subset {mask:#b}"), points)
+}
+
+fn check_delaunay<const D: usize>(case: &Case<D>, by_definition: bool) {
+    let sites = case.sites();
+    let result = delaunay(&sites, &Options::default(), &mut ());
+    accept_delaunay(case, &sites, &result, Rigour::Once);
+    if by_definition {
+        let definition = naive::delaunay(&case.points).concat();
+        assert_eq!(result.canonical(), definition, "{}", case.name);
+    }
+}
+
+fn lattice<const D: usize>(sides: [u32; D]) -> Vec<[f64; D]> {
+    let point = |mut i: u32| {
+        let mut p = [0.0; D];
+        for axis in (0..D).rev() {
+            p[axis] = f64::from(i % sides[axis]);
+            i /= sides[axis];
+        }
+        p
+    };
+    (0..sides.iter().product()).map(point).collect()
+}
+
+#[test]
+fn every_subset_of_a_four_by_three_grid() {
+    let grid = lattice([4, 3]);
+    (0..1 << 12).for_each(|mask| check_delaunay(&subset(&grid, mask), true));
+}
+
+#[test]
+fn every_subset_of_a_three_by_three_by_two_grid() {
+    let grid = lattice([3, 3, 2]);
+    let mut count = 0;
+    for mask in 0..1u32 << 18 {
+        let case = subset(&grid, mask);
+        let touches = |axis: usize| case.points.iter().any(|p| p[axis] == 0.0);
+        if (0..3).all(touches) && (delone_tests::long() || mask % 12 == 5) {
+            check_delaunay(&case, count % 16 == 0);
+            count += 1;
+        }
+    }
+    assert!(count > 10_000, "{count}");
+}
+
+#[test]
+fn random_subsets_of_a_three_by_three_by_three_grid() {
+    let (grid, mut rng) = (lattice([3, 3, 3]), Rng::named("27", 1));
+    for _ in 0..1500 {
+        let dense = rng.below(5) + 1;
+        let mask = (0..27).filter(|_| rng.below(6) < dense).fold(0u32, |mask, i| mask | 1 << i);
+        check_delaunay(&subset(&grid, mask), mask.count_ones() <= 10);
+    }
+}
+
+/// The 3 x 3 grid: site `3 x + y`.
+fn square() -> Vec<[f64; 2]> {
+    lattice([3, 3])
+}
+
+fn all_segments() -> Vec<[u32; 2]> {
+    (0..9).flat_map(|b| (0..b).map(move |a| [a, b])).collect()
+}
+
+/// The sign of the turn a, b, c on the grid.
+fn turn(a: u32, b: u32, c: u32) -> i32 {
+    let [[ax, ay], [bx, by], [cx, cy]] = [a, b, c].map(|v| [v / 3, v % 3].map(u32::cast_signed));
+    ((bx - ax) * (cy - ay) - (by - ay) * (cx - ax)).signum()
+}
+
+/// Whether two segments meet in one point inside both that is no point of the grid: in twelfths, all crossings of
+/// segments of this grid have integer coordinates.
+fn cross([a, b]: [u32; 2], [c, d]: [u32; 2]) -> bool {
+    if turn(a, b, c) * turn(a, b, d) >= 0 || turn(c, d, a) * turn(c, d, b) >= 0 {
+        return false;
+    }
+    (0..9).all(|v| turn(a, b, v) != 0 || turn(c, d, v) != 0)
+}
+
+fn check_segments(segments: &[[u32; 2]]) -> bool {
+    let case = Case::new(format!("segments {segments:?}"), square(), segments.to_vec());
+    let pslg = case.try_pslg();
+    let crossing =
+        segments.iter().enumerate().any(|(i, &s)| segments[..i].iter().any(|&t| cross(s, t)));
+    assert_eq!(pslg.is_none(), crossing, "{}: refused, or crossing", case.name);
+    let Some(pslg) = pslg else { return false };
+    let result = cavity(&pslg, &Options::default(), &mut ());
+    accept_constrained(&case, &pslg, &result, Rigour::Once);
+    let definition = naive::constrained(&case.points, segments).concat();
+    assert_eq!(result.canonical(), definition, "{}", case.name);
+    true
+}
+
+#[test]
+fn every_segment_and_pair_of_segments() {
+    let all = all_segments();
+    let mut taken = 0;
+    for (i, &s) in all.iter().enumerate() {
+        assert!(check_segments(&[s]));
+        taken += all[..i].iter().filter(|&&t| check_segments(&[t, s])).count();
+    }
+    assert!(taken > 400 && taken < 630, "{taken} of 630 pairs do not cross");
+}
+
+#[test]
+fn triples_of_segments() {
+    let all = all_segments();
+    let (mut number, mut taken) = (0, 0);
+    for i in 0..all.len() {
+        for j in 0..i {
+            for k in 0..j {
+                number += 1;
+                if number % 5 == 0 || delone_tests::long() {
+                    taken += usize::from(check_segments(&[all[i], all[j], all[k]]));
+                }
+            }
+        }
+    }
+    assert_eq!(number, 7140);
+    assert!(taken > 500, "{taken}");
+}
+
+/// Segments without a site inside them.
+fn primitive() -> Vec<[u32; 2]> {
+    let inside =
+        |[a, b]: [u32; 2], v: u32| v != a && v != b && turn(a, b, v) == 0 && (a < v) == (v < b);
+    all_segments().into_iter().filter(|&s| (0..9).all(|v| !inside(s, v))).collect()
+}
+
+/// Calls `found` with every maximal set of primitive segments that do not cross: the triangulations with all nine sites.
+fn for_each_triangulation(mut found: impl FnMut(&[[u32; 2]])) {
+    let all = primitive();
+    let mut chosen = vec![(0, true); 0];
+    // Depth-first over "with" and "without" for each segment in turn.
+    loop {
+        while chosen.len() < all.len() {
+            let next = all[chosen.len()];
+            let fits =
+                chosen.iter().all(|&(i, with): &(usize, bool)| !with || !cross(all[i], next));
+            chosen.push((chosen.len(), fits));
+        }
+        let set: Vec<[u32; 2]> = chosen.iter().filter(|c| c.1).map(|c| all[c.0]).collect();
+        // A triangulation of 9 sites, 8 of them on the hull, has 3 * 9 - 3 - 8 edges.
+        if set.len() == 16 {
+            found(&set);
+        }
+        while chosen.last().is_some_and(|c| !c.1) {
+            chosen.pop();
+        }
+        match chosen.last_mut() {
+            Some(last) => last.1 = false,
+            None => return,
+        }
+    }
+}
+
+#[test]
+fn every_triangulation_and_every_one_less_an_edge() {
+    let mut count = 0;
+    for_each_triangulation(|edges| {
+        count += 1;
+        assert!(check_segments(edges));
+        for without in 0..edges.len() {
+            let mut rest = edges.to_vec();
+            rest.remove(without);
+            assert!(check_segments(&rest));
+        }
+    });
+    assert_eq!(count, 64, "the 3 x 3 grid has 64 unimodular triangulations");
+}
+
+#[test]
+fn random_sets_of_segments() {
+    let mut rng = Rng::named("segments", 1);
+    for _ in 0..600 {
+        let mut all = all_segments();
+        rng.shuffle(&mut all);
+        let mut set: Vec<[u32; 2]> = Vec::new();
+        for s in all {
+            if set.iter().all(|&t| !cross(s, t)) {
+                set.push(s);
+            }
+        }
+        let thin = rng.below(4);
+        set.retain(|_| rng.below(4) >= thin);
+        assert!(check_segments(&set));
+    }
+}

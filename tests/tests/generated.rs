@@ -1,0 +1,134 @@
+//! All laws on generated inputs. The strategies make *values*, coordinates chosen one by one, so that what fails shrinks:
+//! towards fewer points, smaller integers, no nudge.
+
+use delone_tests::case::Case;
+use delone_tests::exact::{nudged, power_of_two};
+use delone_tests::laws::{constrained_laws, delaunay_laws, obey};
+use proptest::prelude::{Just, Strategy, any, prop_oneof};
+use proptest::test_runner::{Config, TestRunner};
+
+/// A coordinate of the kinds on which algorithms fail.
+fn coordinate() -> impl Strategy<Value = f64> {
+    let small = (-4..=4i32).prop_map(f64::from);
+    let wider = (-40..=40i32).prop_map(f64::from);
+    let near = (-3..=3i32, -2..=2i32).prop_map(|(x, ulps)| nudged(f64::from(x), ulps));
+    let power = (-1074..=1023i32, any::<bool>())
+        .prop_map(|(k, negative)| power_of_two(k) * if negative { -1.0 } else { 1.0 });
+    let tenths = (-20..=20i32).prop_map(|x| f64::from(x) / 10.0);
+    let ends = prop_oneof![Just(0.0), Just(-0.0), Just(5e-324), Just(f64::MAX), Just(-f64::MAX)];
+    prop_oneof![12 => small, 3 => wider, 3 => near, 1 => power, 2 => tenths, 1 => ends]
+}
+
+/// A point: free, on a circle of integers, or a copy of an earlier one's coordinates.
+#[derive(Clone, Debug)]
+enum Atom<const D: usize> {
+    Free([f64; D]),
+    /// Which of the points with these coordinates, up to order and sign; their squares sum to one number.
+    Round(usize, [bool; D]),
+    /// Coordinate `axis` of point `of`, the rest free.
+    Shares {
+        of: usize,
+        axis: usize,
+        rest: [f64; D],
+    },
+    /// The middle of two points, rounded.
+    Middle(usize, usize),
+}
+
+const TRIPLES: [[f64; 3]; 6] = [
+    [7.0, 4.0, 4.0],
+    [4.0, 7.0, 4.0],
+    [1.0, 4.0, 8.0],
+    [8.0, 1.0, 4.0],
+    [9.0, 0.0, 0.0],
+    [3.0, 6.0, 6.0],
+];
+const PAIRS: [[f64; 2]; 6] =
+    [[33.0, 4.0], [32.0, 9.0], [31.0, 12.0], [24.0, 23.0], [4.0, 33.0], [23.0, 24.0]];
+
+fn resolved<const D: usize>(atoms: &[Atom<D>], table: &[[f64; D]]) -> Vec<[f64; D]> {
+    let mut points: Vec<[f64; D]> = Vec::new();
+    for atom in atoms {
+        let earlier = |i: usize| points.get(i % points.len().max(1)).copied().unwrap_or([0.0; D]);
+        points.push(match *atom {
+            Atom::Free(point) => point,
+            Atom::Round(which, signs) => {
+                let p = table[which % table.len()];
+                std::array::from_fn(|axis| if signs[axis] { -p[axis] } else { p[axis] })
+            }
+            Atom::Shares { of, axis, mut rest } => {
+                rest[axis] = earlier(of)[axis];
+                rest
+            }
+            Atom::Middle(i, j) => {
+                let (p, q) = (earlier(i), earlier(j));
+                std::array::from_fn(|axis| p[axis] / 2.0 + q[axis] / 2.0)
+            }
+        });
+    }
+    points
+}
+
+fn atoms<const D: usize>(max: usize) -> impl Strategy<Value = Vec<Atom<D>>> {
+    let free = || proptest::array::uniform::<_, D>(coordinate());
+    let atom = prop_oneof![
+        8 => free().prop_map(Atom::Free),
+        3 => (0..6usize, proptest::array::uniform::<_, D>(any::<bool>()))
+            .prop_map(|(which, signs)| Atom::Round(which, signs)),
+        3 => (0..max, 0..D, free()).prop_map(|(of, axis, rest)| Atom::Shares { of, axis, rest }),
+        1 => (0..max, 0..max).prop_map(|(i, j)| Atom::Middle(i, j)),
+    ];
+    proptest::collection::vec(atom, 0..=max)
+}
+
+/// Candidates for segments; those that cross an earlier one are left out.
+fn graph(points: Vec<[f64; 2]>, candidates: &[[usize; 2]]) -> Case<2> {
+    let mut case = Case::new("generated", points, Vec::new());
+    let count = case.points.len().max(1);
+    for ends in candidates.iter().filter(|_| !case.points.is_empty()) {
+        case.segments.push(ends.map(|v| delone_tests::id(v % count)));
+        if case.try_pslg().is_none() {
+            case.segments.pop();
+        }
+    }
+    case
+}
+
+/// Runs a property on `cases` inputs; always the same ones.
+fn run<S: Strategy>(cases: u32, strategy: &S, property: impl Fn(S::Value)) {
+    let config = Config { cases, failure_persistence: None, ..Config::default() };
+    let seed = proptest::test_runner::TestRng::deterministic_rng(config.rng_algorithm);
+    let mut runner = TestRunner::new_with_rng(config, seed);
+    let outcome = runner.run(strategy, |value| {
+        property(value);
+        Ok(())
+    });
+    outcome.unwrap_or_else(|failure| panic!("{failure}"));
+}
+
+#[test]
+fn point_sets_of_the_plane() {
+    let laws = delaunay_laws::<2>();
+    run(400, &atoms::<2>(14).prop_map(|atoms| resolved(&atoms, &PAIRS)), |points| {
+        let case = Case::of_points("generated", points);
+        obey(&laws, &case);
+    });
+}
+
+#[test]
+fn point_sets_of_space() {
+    let laws = delaunay_laws::<3>();
+    run(250, &atoms::<3>(11).prop_map(|atoms| resolved(&atoms, &TRIPLES)), |points| {
+        let case = Case::of_points("generated", points);
+        obey(&laws, &case);
+    });
+}
+
+#[test]
+fn graphs() {
+    let laws = constrained_laws();
+    let segments = proptest::collection::vec(proptest::array::uniform2(0..12usize), 0..16);
+    let graphs = (atoms::<2>(12), segments)
+        .prop_map(|(atoms, candidates)| graph(resolved(&atoms, &PAIRS), &candidates));
+    run(400, &graphs, |case| obey(&laws, &case));
+}

@@ -1,0 +1,22 @@
+//! Predicates against GMP: orient in 2, 3, 4 dimensions, lifted and in_sphere in 2 and 3, in_sphere_within, cross; of both
+//! kernels; on more than 10^5 calls.
+//!
+//! | module | what |
+//! |---|---|
+//! | `oracle` | the exact signs, by rationals and by integers: two ways that share nothing |
+//! | `inputs` | random, ULP neighbourhoods, integer grids, exact completions, wide exponents, wild |
+//! | `signs` | the comparison |
+//! | `bound` | inputs whose floating-point determinant is near the filter's error bound |
+//! | `algebra` | permutations, scaling, translation, the perturbation |
+//! | `headroom` | determinants that fill the exact integers |
+//! | `fixtures` | the collected ones of another program |
+//! | `known` | inputs on which other programs are wrong |
+
+mod algebra;
+mod bound;
+mod fixtures;
+mod headroom;
+mod inputs;
+mod known;
+mod oracle;
+mod signs;
