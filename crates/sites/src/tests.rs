@@ -10,6 +10,8 @@ fn duplicates_and_negative_zeros_are_one_site() {
     assert_eq!(sites.sorted(), [1, 2, 0]);
     assert_eq!(sites.ranks(), [2, 0, 1]);
     assert_eq!(sites.duplicate_count(), 2);
+    let alone = Sites::new(&[[-0.0, -0.0]]).unwrap();
+    assert!(alone.points()[0].iter().all(|c| c.is_sign_positive()));
     assert!(sites.points().iter().flatten().all(|c| c.is_sign_positive()));
 }
 

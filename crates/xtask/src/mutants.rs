@@ -1,7 +1,7 @@
 //! Small wrong patches, each of which some test must catch.
 //!
 //! The list is `mutants.toml`: a file, a text that stands in it once, what to put there, the packages whose tests should
-//! fail. A mutant must compile: one that does not proves nothing. Work happens in a copy under `target/mutants`.
+//! fail, and perhaps the one test target among them. A mutant must compile: one that does not proves nothing. Work happens in a copy under `target/mutants`.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -20,6 +20,8 @@ struct Mutant {
     find: String,
     replace: String,
     packages: Vec<String>,
+    /// Only this test target of the packages, if it is named: the quickest net that should catch the mutant.
+    net: Option<String>,
 }
 
 /// Tries all mutants whose name contains `only`.
@@ -70,6 +72,7 @@ fn cargo(copy: &Path, mutant: &Mutant, words: &[&str]) -> Result<bool, String> {
     command.args(words).arg("--quiet").current_dir(copy);
     command.env("CARGO_TARGET_DIR", copy.with_file_name("target"));
     command.args(mutant.packages.iter().flat_map(|package| ["--package", package]));
+    command.args(mutant.net.iter().flat_map(|net| ["--test", net.as_str()]));
     command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
     command.status().map(|status| status.success()).map_err(|error| format!("cargo: {error}"))
 }
