@@ -10,6 +10,9 @@ use std::fmt::Write;
 use std::io;
 pub use table::{Cell, Table, Tone};
 
+/// Contents longer than this are folded away.
+const CONTENTS_SHOWN_MAX: usize = 30;
+
 /// A picture with more edges than this becomes a canvas: browsers draw larger SVGs slowly.
 pub const SVG_EDGES_MAX: usize = 10_000;
 
@@ -137,11 +140,16 @@ impl Report {
             let _ = writeln!(out, "<p class=\"lead\">{}</p>", Escaped(&self.lead));
         }
         if self.contents.len() > 2 {
+            let folded = self.contents.len() > CONTENTS_SHOWN_MAX;
+            if folded {
+                let count = self.contents.len();
+                let _ = write!(out, "<details><summary>Contents ({count})</summary>");
+            }
             out.push_str("<nav aria-label=\"Contents\">");
             for (anchor, text) in &self.contents {
                 let _ = write!(out, "<a href=\"#{}\">{}</a> ", anchor.0, Escaped(text));
             }
-            out.push_str("</nav>\n");
+            out.push_str(if folded { "</nav></details>\n" } else { "</nav>\n" });
         }
         let _ = write!(out, "</header>\n<main>\n{}</main>\n", self.body);
         // The markers hide the script's `<` and `&` from an XML parser, and are comments to JavaScript.

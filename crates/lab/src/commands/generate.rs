@@ -69,7 +69,7 @@ fn gallery(n: usize, seed: u64) -> String {
     report.lead(&format!("Every generator, about {n} sites, seed {seed}."));
     for workload in all() {
         report.heading(workload.name, &Anchor::new(workload.name));
-        report.paragraph(&format!("{} Rounding of n: {}.", workload.about, workload.rounds));
+        report.paragraph(&format!("{}. Sites for n: {}.", workload.about, workload.rounds));
         let input = workload.generate(n, seed);
         let subject = Subject::unchecked(document_of(workload.name, &input));
         let drawing = Drawing::of(&subject, None);
