@@ -31,7 +31,7 @@ fn check(points: &[[f64; 2]], segments: &[[usize; 2]]) -> Cdt {
     for (kernel, order) in
         [(KernelKind::Exact, Order::Lexicographic), (KernelKind::Adaptive, Order::AsGiven)]
     {
-        let options = Options { kernel, order, seed: 5 };
+        let options = Options { kernel, order, seed: 5, ..Options::default() };
         let other = cavity(&pslg, &options, &mut ());
         assert_eq!(other.canonical(), cdt.canonical());
         assert_eq!(other.constrained_edges(), cdt.constrained_edges());

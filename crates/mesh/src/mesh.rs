@@ -1,6 +1,6 @@
 //! The mesh itself: two flat arrays, read by handle.
 
-use crate::{CellId, FacetId, VertexId};
+use crate::{CellId, FacetId, Level, VertexId};
 
 /// A triangulated sphere of dimension up to D: the D+1 vertices of each cell, and the twin of each of its facets.
 ///
@@ -59,6 +59,41 @@ impl<const D: usize> Mesh<D> {
                     mesh.glue(facet, FacetId::new(there, mesh.corner_of(there, corners[i])));
                 }
             }
+        }
+        mesh
+    }
+
+    /// A mesh from its arrays: for each cell D+1 vertices and D+1 twins, of which a mesh of lower dimension uses the first
+    /// ones.
+    ///
+    /// # Panics
+    /// If the lengths are not one multiple of D+1. In debug builds, if the arrays are no mesh up to [`Level::Twins`].
+    #[must_use]
+    pub fn from_parts(dimension: usize, vertices: Vec<VertexId>, twins: Vec<FacetId<D>>) -> Self {
+        assert!(vertices.len() == twins.len() && vertices.len().is_multiple_of(D + 1));
+        assert!(dimension <= D, "a mesh of R^{D} has dimension up to {D}");
+        let mesh = Self { dimension: Some(dimension), vertices, twins, free: Vec::new() };
+        debug_assert_eq!(mesh.faults(Level::Twins, usize::MAX), []);
+        mesh
+    }
+
+    /// The mesh of dimension 1 of some sites in line: a circle of segments, through the sites in their order along the
+    /// line and the ghost.
+    ///
+    /// # Panics
+    /// If there are less than two sites, or D is 0.
+    #[must_use]
+    pub fn chain(line: &[VertexId]) -> Self {
+        assert!(line.len() >= 2 && D >= 1, "a chain has two ends, and a line to lie in");
+        let mut mesh = Self { dimension: Some(1), ..Self::default() };
+        for pair in line.windows(2) {
+            mesh.add_cell(pair);
+        }
+        mesh.add_cell(&[line[line.len() - 1], VertexId::GHOST]);
+        mesh.add_cell(&[VertexId::GHOST, line[0]]);
+        for (cell, next) in mesh.cells().zip(mesh.cells().cycle().skip(1)) {
+            // The vertex between is opposite the other one of either.
+            mesh.glue(FacetId::new(cell, 0), FacetId::new(next, 1));
         }
         mesh
     }

@@ -1,0 +1,67 @@
+//! Times the algorithms of the plane: nanoseconds a site, the median of several runs.
+//!
+//! ```sh
+//! cargo run --release -p delone-delaunay --example time_delaunay -- \
+//!     [--algorithms a,b] [--workloads uniform,grid] [--sizes 10000,1000000] [--threads 1,2] [--runs 5]
+//! ```
+//! The last column hashes the cells: it must be one for all algorithms and numbers of threads.
+#![expect(clippy::print_stdout, clippy::disallowed_methods, reason = "it prints times")]
+
+use std::num::NonZeroUsize;
+use std::time::Instant;
+
+use delone_delaunay::{Options, algorithms};
+use delone_sites::Sites;
+use delone_workloads::{Points, generate};
+
+fn main() {
+    let words: Vec<String> = std::env::args().skip(1).collect();
+    let list = |name: &str, default: &str| -> Vec<String> {
+        let given = words.iter().skip_while(|word| *word != name).nth(1);
+        given.map_or(default, |text| text).split(',').map(str::to_owned).collect()
+    };
+    let numbers = |name: &str, default: &str| -> Vec<usize> {
+        list(name, default).iter().map(|text| text.parse().expect("a number")).collect()
+    };
+    let names = list("--algorithms", "bowyer-watson,divide-conquer");
+    let runs = numbers("--runs", "5")[0];
+    for workload in list("--workloads", "uniform,gauss,clusters,grid,circle") {
+        for n in numbers("--sizes", "10000,100000,1000000") {
+            let input = generate(&workload, n, 1).expect("a workload");
+            let Points::Plane(points) = input.points else { panic!("{workload} is not planar") };
+            let (take, sites) = median(runs, n, || Sites::new(&points).expect("finite points"));
+            println!("{workload:10} {:8} {:16} {:6.0} ns", sites.len(), "Sites::new", take);
+            for algorithm in algorithms::<2>().iter().filter(|a| names.iter().any(|n| n == a.name))
+            {
+                for threads in numbers("--threads", "1,2") {
+                    let threads = NonZeroUsize::new(threads).expect("a thread");
+                    let options = Options { threads, ..Options::default() };
+                    let (take, result) = median(runs, n, || (algorithm.run)(&sites, &options));
+                    let hash = result.fingerprint(&sites);
+                    println!(
+                        "{workload:10} {:8} {:16} {take:6.0} ns  threads {threads}  {hash}",
+                        sites.len(),
+                        algorithm.name,
+                    );
+                    if algorithm.name != "divide-conquer" {
+                        break; // it has no use for threads
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// The median time of `runs` runs, in nanoseconds for each of `count`, and the last result.
+fn median<T>(runs: usize, count: usize, mut run: impl FnMut() -> T) -> (f64, T) {
+    let mut times = Vec::new();
+    loop {
+        let start = Instant::now();
+        let result = run();
+        times.push(start.elapsed().as_secs_f64() * 1e9);
+        if times.len() >= runs {
+            times.sort_by(f64::total_cmp);
+            return (times[times.len() / 2] / f64::from(u32::try_from(count).expect("n")), result);
+        }
+    }
+}
