@@ -1,4 +1,5 @@
-//! Times the algorithms of the plane: nanoseconds a site, the median of several runs.
+//! Times the algorithms of the plane: nanoseconds a site, the median of several runs, by the clock on the wall and, where
+//! Linux tells it, on the processor. (That of the main thread alone: it says nothing where others work for it.)
 //!
 //! ```sh
 //! cargo run --release -p delone-delaunay --example time_delaunay -- \
@@ -30,7 +31,7 @@ fn main() {
             let input = generate(&workload, n, 1).expect("a workload");
             let Points::Plane(points) = input.points else { panic!("{workload} is not planar") };
             let (take, sites) = median(runs, n, || Sites::new(&points).expect("finite points"));
-            println!("{workload:10} {:8} {:16} {:6.0} ns", sites.len(), "Sites::new", take);
+            println!("{workload:10} {:8} {:16} {take}", sites.len(), "Sites::new");
             for algorithm in algorithms::<2>().iter().filter(|a| names.iter().any(|n| n == a.name))
             {
                 for threads in numbers("--threads", "1,2") {
@@ -39,7 +40,7 @@ fn main() {
                     let (take, result) = median(runs, n, || (algorithm.run)(&sites, &options));
                     let hash = result.fingerprint(&sites);
                     println!(
-                        "{workload:10} {:8} {:16} {take:6.0} ns  threads {threads}  {hash}",
+                        "{workload:10} {:8} {:16} {take}  threads {threads}  {hash}",
                         sites.len(),
                         algorithm.name,
                     );
@@ -52,16 +53,27 @@ fn main() {
     }
 }
 
-/// The median time of `runs` runs, in nanoseconds for each of `count`, and the last result.
-fn median<T>(runs: usize, count: usize, mut run: impl FnMut() -> T) -> (f64, T) {
-    let mut times = Vec::new();
+/// The median times of `runs` runs, in nanoseconds for each of `count`, and the last result.
+fn median<T>(runs: usize, count: usize, mut run: impl FnMut() -> T) -> (String, T) {
+    let (mut wall, mut processor) = (Vec::new(), Vec::new());
+    let count = f64::from(u32::try_from(count).expect("sites have ids of 32 bits"));
     loop {
-        let start = Instant::now();
+        let (start, busy) = (Instant::now(), on_processor());
         let result = run();
-        times.push(start.elapsed().as_secs_f64() * 1e9);
-        if times.len() >= runs {
-            times.sort_by(f64::total_cmp);
-            return (times[times.len() / 2] / f64::from(u32::try_from(count).expect("n")), result);
+        processor.push((on_processor() - busy) / count);
+        wall.push(start.elapsed().as_secs_f64() * 1e9 / count);
+        if wall.len() >= runs {
+            wall.sort_by(f64::total_cmp);
+            processor.sort_by(f64::total_cmp);
+            let text =
+                format!("wall {:6.0} ns  cpu {:6.0} ns", wall[runs / 2], processor[runs / 2]);
+            return (text, result);
         }
     }
+}
+
+/// Nanoseconds that the main thread has spent on a processor; 0 if the system does not tell.
+fn on_processor() -> f64 {
+    let text = std::fs::read_to_string("/proc/self/schedstat").unwrap_or_default();
+    text.split(' ').next().and_then(|word| word.parse().ok()).unwrap_or(0.0)
 }

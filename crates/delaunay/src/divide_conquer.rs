@@ -8,8 +8,8 @@
 //!
 //! **Paper.** [GS85], after [LS80]; cuts across both axes by turns after [Dwy87]; a triangulation with ghosts instead of
 //! edges as in [She96].
-//! **In.** A kernel over distinct vertices of the plane; the vertices in lexicographic order. **Out.** The Delaunay mesh
-//! under the lexicographic perturbation, the one of [`crate::bowyer_watson`].
+//! **In.** Sites of the plane, for the orders of the cuts; a kernel over them, for everything else. **Out.** The Delaunay
+//! mesh under the lexicographic perturbation, the one of [`crate::bowyer_watson`].
 //! **Invariants.** 1. A block of k >= 2 sites has 2k - 2 triangles, ghosts included, whatever its shape. So the block of
 //! places i to j owns the slots 2i to 2j - 2, its halves [i, m) and [m, j) own theirs, and the two slots between become
 //! the bottom and the top ghost of their merge. There is no allocator, and threads share nothing. 2. Cuts depend on the
@@ -37,32 +37,35 @@ use std::num::NonZeroUsize;
 use delone_mesh::{FacetId, Mesh, VertexId};
 use delone_predicates::{Kernel, Sign};
 use delone_probe::{Event, Probe};
+use delone_sites::Sites;
 
-use cuts::{Axis, LEAF, Plan, THREAD};
+use cuts::{Axis, LEAF, THREAD};
 use merge::{Hull, Work};
 use patch::{Edge, GHOST, Patch, Place};
 
-/// The Delaunay mesh of the kernel's vertices, which are given in lexicographic order. See the module's text.
+/// The Delaunay mesh of `sites`, which are the vertices of `kernel`. See the module's text.
 ///
 /// # Panics
-/// If there are more than 2^32 / 6 vertices. If `sorted` is not in increasing lexicographic order, the mesh is wrong.
-pub fn divide_conquer(kernel: &impl Kernel<2>, sorted: &[u32], probe: &mut impl Probe) -> Mesh<2> {
-    if let Some(mesh) = of_few(sorted) {
+/// If there are more than 2^32 / 6 sites, or the kernel is not over them.
+pub fn divide_conquer(
+    kernel: &impl Kernel<2>,
+    sites: &Sites<2>,
+    probe: &mut impl Probe,
+) -> Mesh<2> {
+    if let Some(mesh) = of_few(sites.sorted()) {
         return mesh;
     }
-    let by_rank = kernel.reordered(sorted);
-    let plan = Plan::new(sorted.len());
-    let mut order: Vec<u32> = (0u32..).take(sorted.len()).collect();
-    cuts::cut(&by_rank, &mut order, plan, Some(Axis::X));
-    drop(by_rank);
-    order.iter_mut().for_each(|rank| *rank = sorted[*rank as usize]);
+    let mut items = cuts::items(sites);
+    cuts::cut(&mut items, Axis::X);
+    let order: Vec<u32> = items.iter().map(|item| sites.sorted()[item.rank() as usize]).collect();
+    drop(items);
     let kernel = kernel.reordered(&order);
     let mut arrays = Arrays::new(order.len());
     let patch = Patch::new(&mut arrays.apexes, &mut arrays.twins);
-    let hull = solve(&mut Work { patch, kernel: &kernel, probe }, 0, count(&order), plan);
+    let hull = solve(&mut Work { patch, kernel: &kernel, probe }, 0, count(&order), Axis::X);
     drop(kernel);
     probe.on(Event::Site { done: order.len(), total: order.len() });
-    arrays.into_mesh(hull, &order, sorted)
+    arrays.into_mesh(hull, &order, sites.sorted())
 }
 
 /// The same, bit for bit, on up to `threads` threads. It takes no probe: the counts would be those of the other.
@@ -71,28 +74,27 @@ pub fn divide_conquer(kernel: &impl Kernel<2>, sorted: &[u32], probe: &mut impl 
 /// As [`divide_conquer`].
 pub fn divide_conquer_in_parallel<K: Kernel<2, Reordered: Sync> + Sync>(
     kernel: &K,
-    sorted: &[u32],
+    sites: &Sites<2>,
     threads: NonZeroUsize,
 ) -> Mesh<2> {
-    let alone = threads.get() == 1 || sorted.len() <= THREAD;
+    let alone = threads.get() == 1 || sites.len() <= THREAD;
     let pool = || rayon::ThreadPoolBuilder::new().num_threads(threads.get()).build().ok();
     // A system that gives no threads gets the same mesh from one.
     let Some(pool) = (!alone).then(pool).flatten() else {
-        return divide_conquer(kernel, sorted, &mut ());
+        return divide_conquer(kernel, sites, &mut ());
     };
     pool.install(|| {
-        let by_rank = kernel.reordered(sorted);
-        let plan = Plan::new(sorted.len());
-        let mut order: Vec<u32> = (0u32..).take(sorted.len()).collect();
-        cuts::cut_in_parallel(&by_rank, &mut order, plan, Some(Axis::X));
-        drop(by_rank);
-        order.iter_mut().for_each(|rank| *rank = sorted[*rank as usize]);
+        let mut items = cuts::items(sites);
+        cuts::cut_in_parallel(&mut items, Axis::X);
+        let order: Vec<u32> =
+            items.iter().map(|item| sites.sorted()[item.rank() as usize]).collect();
+        drop(items);
         let kernel = kernel.reordered(&order);
         let mut arrays = Arrays::new(order.len());
         let patch = Patch::new(&mut arrays.apexes, &mut arrays.twins);
-        let hull = solve_in_parallel(patch, &kernel, 0, count(&order), plan);
+        let hull = solve_in_parallel(patch, &kernel, 0, count(&order), Axis::X);
         drop(kernel);
-        arrays.into_mesh(hull, &order, sorted)
+        arrays.into_mesh(hull, &order, sites.sorted())
     })
 }
 
@@ -115,15 +117,15 @@ fn solve<K: Kernel<2>, P: Probe>(
     work: &mut Work<'_, K, P>,
     i: Place,
     j: Place,
-    plan: Plan,
+    axis: Axis,
 ) -> Hull {
     if j - i <= 3 {
         return leaf(work, i, j);
     }
     let m = i + (j - i) / 2;
-    let left = solve(work, i, m, plan.halves());
-    let right = solve(work, m, j, plan.halves());
-    work.merge(left.top, right.bottom, plan.axis(), 2 * m - 2) // Inv 1
+    let left = solve(work, i, m, axis.other());
+    let right = solve(work, m, j, axis.other());
+    work.merge(left.top, right.bottom, axis, 2 * m - 2) // Inv 1
 }
 
 /// The same on the threads there are.
@@ -132,18 +134,18 @@ fn solve_in_parallel<K: Kernel<2> + Sync>(
     kernel: &K,
     i: Place,
     j: Place,
-    plan: Plan,
+    axis: Axis,
 ) -> Hull {
     if (j - i) as usize <= THREAD {
-        return solve(&mut Work { patch, kernel, probe: &mut () }, i, j, plan);
+        return solve(&mut Work { patch, kernel, probe: &mut () }, i, j, axis);
     }
     let m = i + (j - i) / 2;
     let (left, right) = patch.split(3 * (2 * m - 1)); // Inv 1: the slots between go with either
     let (left, right) = rayon::join(
-        || solve_in_parallel(left, kernel, i, m, plan.halves()),
-        || solve_in_parallel(right, kernel, m, j, plan.halves()),
+        || solve_in_parallel(left, kernel, i, m, axis.other()),
+        || solve_in_parallel(right, kernel, m, j, axis.other()),
     );
-    Work { patch, kernel, probe: &mut () }.merge(left.top, right.bottom, plan.axis(), 2 * m - 2)
+    Work { patch, kernel, probe: &mut () }.merge(left.top, right.bottom, axis, 2 * m - 2)
 }
 
 /// Two or three sites: a triangle and its ghosts, or a chain of edges, each of them two ghosts back to back.

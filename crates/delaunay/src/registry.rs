@@ -91,24 +91,21 @@ fn planar() -> Vec<Algorithm<2>> {
         name: "divide-conquer",
         papers: &["GS85", "LS80", "Dwy87", "She96", "DT11"],
         run: |sites, options| {
-            let (sorted, threads) = (sites.sorted(), options.threads);
+            let (points, threads) = (sites.points(), options.threads);
             Delaunay::new(match options.kernel {
                 KernelKind::Adaptive => {
-                    divide_conquer_in_parallel(&Adaptive::new(sites.points()), sorted, threads)
+                    divide_conquer_in_parallel(&Adaptive::new(points), sites, threads)
                 }
                 KernelKind::Exact => {
-                    divide_conquer_in_parallel(&Exact::new(sites.points()), sorted, threads)
+                    divide_conquer_in_parallel(&Exact::new(points), sites, threads)
                 }
             })
         },
         run_with: |sites, options, mut probe| {
+            let points = sites.points();
             Delaunay::new(match options.kernel {
-                KernelKind::Adaptive => {
-                    divide_conquer(&Adaptive::new(sites.points()), sites.sorted(), &mut probe)
-                }
-                KernelKind::Exact => {
-                    divide_conquer(&Exact::new(sites.points()), sites.sorted(), &mut probe)
-                }
+                KernelKind::Adaptive => divide_conquer(&Adaptive::new(points), sites, &mut probe),
+                KernelKind::Exact => divide_conquer(&Exact::new(points), sites, &mut probe),
             })
         },
     }]

@@ -32,7 +32,7 @@ mod order;
 mod pslg;
 mod sites;
 
-pub use order::{Curve, scatter};
+pub use order::{Curve, scatter, sortable};
 pub use pslg::{Crossing, Pslg, PslgError, PslgFault};
 pub use sites::{NotFinite, Sites, SitesError};
 

@@ -20,6 +20,15 @@ pub const fn scatter(value: u64) -> u64 {
     z ^ (z >> 31)
 }
 
+/// A number that orders like the coordinate, which is finite and not -0.0.
+#[inline]
+#[must_use]
+pub const fn sortable(coordinate: f64) -> u64 {
+    let bits = coordinate.to_bits();
+    // Doubles are sign and magnitude: negative ones are turned round, and put below.
+    if bits >> 63 == 0 { bits | 1 << 63 } else { !bits }
+}
+
 impl<const D: usize> Sites<D> {
     /// Biased randomized rounds, each along Hilbert's curve. Randomness is a hash of the lexicographic rank and `seed`,
     /// so that the order of positions does not depend on the order of input.

@@ -1,19 +1,15 @@
 //! Where the sites are cut: the order in which they are laid out, and the axis of each cut.
 //!
-//! **Paper.** [Dwy87] cuts blocks in halves across their sites' x and y by turns. Here a block's first cuts, down to
-//! [`CELL`] sites, are all across x and then all across y: one sort each instead of a median for each cut. The lines cut
-//! a block into as many, as square cells either way. **In.** Sites numbered by lexicographic rank. **Out.** Their order,
-//! such that each block of the recursion is a range of it.
+//! **Paper.** [Dwy87]: blocks are cut in halves, across x and y by turns. **In.** Sites in lexicographic order. **Out.** Their
+//! order, such that each block of the recursion is a range of it.
 //! **Invariants.** 1. A cut is by a total order that sees a slightly tilted line: (x, y), or (y, -x), the first turned by
 //! a quarter. 2. The order is a function of the points alone: the halves are sets, and what is left is sorted.
-//! **Cost.** O(n log n).
+//! **Cost.** O(n log n). The sites are integers here: their rank, and a number that orders like y.
 
 use std::cmp::Ordering;
 
 use delone_predicates::{Id, Kernel};
-
-/// Blocks of this many sites and fewer are cut by turns.
-const CELL: usize = 64;
+use delone_sites::{Sites, sortable};
 
 /// Blocks of this many sites and fewer are not cut.
 pub(super) const LEAF: usize = 3;
@@ -40,121 +36,79 @@ impl Axis {
         };
         order == Ordering::Less
     }
-}
 
-/// How a block is cut, and its parts.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Plan {
-    across_x: u32,
-    across_y: u32,
-    turn: Axis,
-}
-
-impl Plan {
-    /// The plan for a block of `count` sites in all.
-    pub(super) fn new(count: usize) -> Self {
-        let cuts = (count / CELL).checked_ilog2().map_or(0, |log| log + 1);
-        Self { across_x: cuts.div_ceil(2), across_y: cuts / 2, turn: Axis::X }
-    }
-
-    /// The axis of the first cut.
-    pub(super) const fn axis(self) -> Axis {
-        if self.across_x > 0 {
-            Axis::X
-        } else if self.across_y > 0 {
-            Axis::Y
-        } else {
-            self.turn
-        }
-    }
-
-    /// The plan of both halves.
-    pub(super) const fn halves(mut self) -> Self {
-        if self.across_x > 0 {
-            self.across_x -= 1;
-        } else if self.across_y > 0 {
-            self.across_y -= 1;
-        } else {
-            self.turn = match self.turn {
-                Axis::X => Axis::Y,
-                Axis::Y => Axis::X,
-            };
-        }
-        self
-    }
-
-    /// The cuts to come across the axis of the first one.
-    const fn run(self) -> u32 {
-        if self.across_x > 0 {
-            self.across_x
-        } else if self.across_y > 0 {
-            self.across_y
-        } else {
-            1
+    /// The other one.
+    pub(super) const fn other(self) -> Self {
+        match self {
+            Self::X => Self::Y,
+            Self::Y => Self::X,
         }
     }
 }
 
-/// A rank as the kernel takes it.
-#[derive(Clone, Copy, PartialEq, Eq)]
-struct Rank(u32);
+/// A site while it is cut: how high it is and, below, its lexicographic rank, turned round. So the order of numbers is
+/// that across y.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Item(u128);
 
-impl From<Rank> for usize {
-    #[inline(always)]
-    fn from(rank: Rank) -> Self {
-        rank.0 as Self
+impl Item {
+    #[expect(clippy::cast_possible_truncation, reason = "the lower half is the rank")]
+    pub(super) const fn rank(self) -> u32 {
+        !(self.0 as u32)
     }
 }
 
-/// Puts `ranks` into the order of the cuts. `sorted` says along which axis they are in order. `kernel`'s vertices are in
-/// lexicographic order.
-pub(super) fn cut<K: Kernel<2>>(kernel: &K, ranks: &mut [u32], plan: Plan, sorted: Option<Axis>) {
-    if ranks.len() <= LEAF {
-        ranks.sort_unstable(); // Inv 2
+/// The sites in lexicographic order, to be cut.
+pub(super) fn items(sites: &Sites<2>) -> Vec<Item> {
+    let heights = sites.sorted().iter().map(|&site| sortable(sites.points()[site as usize][1]));
+    let ranked = (0u32..).zip(heights);
+    ranked.map(|(rank, y)| Item(u128::from(y) << 32 | u128::from(!rank))).collect()
+}
+
+/// Puts items into the order of the cuts, of which the first is across the axis along which they are `sorted`.
+pub(super) fn cut(items: &mut [Item], sorted: Axis) {
+    let (left, right) = items.split_at_mut(items.len() / 2);
+    halve(left, sorted.other());
+    halve(right, sorted.other());
+}
+
+/// The same for items that are not sorted, the first cut being across `axis`.
+fn halve(items: &mut [Item], axis: Axis) {
+    if items.len() <= LEAF {
+        items.sort_unstable_by_key(|item| item.rank()); // Inv 2
         return;
     }
-    let sorted = arrange(kernel, ranks, plan, sorted);
-    let (left, right) = ranks.split_at_mut(ranks.len() / 2);
-    cut(kernel, left, plan.halves(), sorted);
-    cut(kernel, right, plan.halves(), sorted);
+    let (left, right) = select(items, axis);
+    halve(left, axis.other());
+    halve(right, axis.other());
 }
 
-/// The same on the threads there are.
-pub(super) fn cut_in_parallel<K: Kernel<2> + Sync>(
-    kernel: &K,
-    ranks: &mut [u32],
-    plan: Plan,
-    sorted: Option<Axis>,
-) {
-    if ranks.len() <= THREAD {
-        return cut(kernel, ranks, plan, sorted);
-    }
-    let sorted = arrange(kernel, ranks, plan, sorted);
-    let (left, right) = ranks.split_at_mut(ranks.len() / 2);
+/// [`cut`] on the threads there are.
+pub(super) fn cut_in_parallel(items: &mut [Item], sorted: Axis) {
+    let (left, right) = items.split_at_mut(items.len() / 2);
     rayon::join(
-        || cut_in_parallel(kernel, left, plan.halves(), sorted),
-        || cut_in_parallel(kernel, right, plan.halves(), sorted),
+        || halve_in_parallel(left, sorted.other()),
+        || halve_in_parallel(right, sorted.other()),
     );
 }
 
-/// Brings the halves of the first cut to their sides; along which axis all are in order then.
-fn arrange<K: Kernel<2>>(
-    kernel: &K,
-    ranks: &mut [u32],
-    plan: Plan,
-    sorted: Option<Axis>,
-) -> Option<Axis> {
-    let axis = plan.axis();
-    if sorted == Some(axis) {
-        return sorted;
+fn halve_in_parallel(items: &mut [Item], axis: Axis) {
+    if items.len() <= THREAD {
+        return halve(items, axis);
     }
-    let middle = ranks.len() / 2;
-    let by_y = |u: &u32, v: &u32| kernel.compare(1, Rank(*u), Rank(*v)).then(v.cmp(u));
-    match (plan.run(), axis) {
-        (1, Axis::X) => drop(ranks.select_nth_unstable(middle)),
-        (1, Axis::Y) => drop(ranks.select_nth_unstable_by(middle, by_y)),
-        (_, Axis::X) => ranks.sort_unstable(),
-        (_, Axis::Y) => ranks.sort_unstable_by(by_y),
+    let (left, right) = select(items, axis);
+    rayon::join(
+        || halve_in_parallel(left, axis.other()),
+        || halve_in_parallel(right, axis.other()),
+    );
+}
+
+/// Brings the lower half along the axis to the front, and parts the two.
+fn select(items: &mut [Item], axis: Axis) -> (&mut [Item], &mut [Item]) {
+    let middle = items.len() / 2;
+    match axis {
+        Axis::X => drop(items.select_nth_unstable_by_key(middle, |item| item.rank())),
+        Axis::Y => drop(items.select_nth_unstable_by_key(middle, |item| item.0)),
     }
-    (plan.run() > 1).then_some(axis)
+    items.split_at_mut(middle)
 }

@@ -15,7 +15,7 @@ fn canonical(mesh: &Mesh<2>) -> Vec<u32> {
 /// Divide and conquer of some sites: a sphere, and what the incremental construction gives.
 fn check_sites(sites: &Sites<2>) -> Mesh<2> {
     let kernel = Adaptive::new(sites.points());
-    let mesh = divide_conquer(&kernel, sites.sorted(), &mut ());
+    let mesh = divide_conquer(&kernel, sites, &mut ());
     let n = sites.len();
     let level = if n > 300 { Level::Twins } else { Level::Sphere };
     assert_eq!(mesh.faults(level, n), [], "{:?}", sites.points());
@@ -37,7 +37,7 @@ fn check_few(points: &[[f64; 2]]) {
         let sites = Sites::new(points).unwrap();
         let kernel = Exact::new(sites.points());
         assert_eq!(canonical(&mesh), naive_delaunay(&kernel, sites.len()), "{points:?}");
-        assert_eq!(divide_conquer(&kernel, sites.sorted(), &mut ()), mesh);
+        assert_eq!(divide_conquer(&kernel, &sites, &mut ()), mesh);
     }
 }
 
@@ -190,10 +190,10 @@ fn any_number_of_threads_gives_the_same_bits() {
         let points = planar(generate(name, 70_000, 1).unwrap().points).unwrap();
         let sites = Sites::new(&points).unwrap();
         let kernel = Adaptive::new(sites.points());
-        let alone = divide_conquer(&kernel, sites.sorted(), &mut ());
+        let alone = divide_conquer(&kernel, &sites, &mut ());
         for threads in [1, 2, 3, 8] {
             let threads = NonZeroUsize::new(threads).unwrap();
-            let mesh = divide_conquer_in_parallel(&kernel, sites.sorted(), threads);
+            let mesh = divide_conquer_in_parallel(&kernel, &sites, threads);
             assert!(mesh == alone, "{name} on {threads} threads");
         }
     }
@@ -206,7 +206,7 @@ fn the_order_of_input_leaves_no_trace() {
     let reversed = Sites::new(&points.iter().rev().copied().collect::<Vec<_>>()).unwrap();
     let by_rank = |sites: &Sites<2>| {
         let (kernel, ranks) = (Adaptive::new(sites.points()), sites.ranks());
-        let mut mesh = divide_conquer(&kernel, sites.sorted(), &mut ());
+        let mut mesh = divide_conquer(&kernel, sites, &mut ());
         mesh.relabel(|vertex| VertexId::new(ranks[vertex.index()] as usize));
         mesh
     };
@@ -218,7 +218,7 @@ fn counts_stay_small() {
     let points = planar(generate("uniform", 20_000, 1).unwrap().points).unwrap();
     let sites = Sites::new(&points).unwrap();
     let mut counts = Counts::default();
-    divide_conquer(&Adaptive::new(sites.points()), sites.sorted(), &mut counts);
+    divide_conquer(&Adaptive::new(sites.points()), &sites, &mut counts);
     assert!(counts.in_spheres < 14 * 20_000, "{counts:?}");
     assert!(counts.orients < 10 * 20_000, "{counts:?}");
     assert_eq!(counts.sites, 1);
