@@ -47,14 +47,24 @@ impl<const D: usize> Sites<D> {
 
     fn order_by(&self, round: impl Fn(u64) -> u64) -> Vec<u32> {
         let curve = Curve::around(self.points());
-        let mut keyed: Vec<(u64, u64, u32)> = (0u64..)
+        // Round, place on the curve and rank in one number: equal places stay in lexicographic order.
+        let mut keyed: Vec<u128> = (0u32..)
             .zip(self.sorted())
-            .map(|(rank, &site)| (round(rank), curve.key(&self.points()[site as usize]), site))
+            .map(|(rank, &site)| {
+                let round = round(u64::from(rank));
+                let key = curve.key(&self.points()[site as usize]);
+                u128::from(round) << 96 | u128::from(key) << 32 | u128::from(rank)
+            })
             .collect();
-        // The sort is stable and starts from the lexicographic order: equal keys stay in it.
-        keyed.sort_by_key(|&(round, key, _)| (round, key));
-        keyed.into_iter().map(|(_, _, site)| site).collect()
+        keyed.sort_unstable();
+        keyed.into_iter().map(|item| self.sorted()[low_half(item) as usize]).collect()
     }
+}
+
+/// The last 32 bits.
+#[expect(clippy::cast_possible_truncation, reason = "that is what is wanted")]
+pub(crate) const fn low_half(value: u128) -> u32 {
+    value as u32
 }
 
 /// Hilbert's curve on a grid around some points.
@@ -73,7 +83,8 @@ impl<const D: usize> Curve<D> {
         3 => 21,
         4 => 15,
         5 => 12,
-        _ => 9,
+        6 | 7 => 9,
+        _ => 8,
     };
 
     /// The curve through the smallest cube at the low corner of the points' bounding box that holds them.
@@ -108,37 +119,52 @@ impl<const D: usize> Curve<D> {
         });
         transpose(&mut x, Self::BITS);
         let mut key = 0;
-        for bit in (0..Self::BITS).rev() {
-            for coordinate in x {
-                key = key << 1 | u64::from(coordinate >> bit & 1);
+        for byte in (0..Self::BITS.div_ceil(8)).rev() {
+            if key != 0 {
+                key <<= 8 * D;
+            }
+            for (axis, coordinate) in x.iter().enumerate() {
+                let spread = Self::SPREAD[(coordinate >> (8 * byte) & 0xff) as usize];
+                key |= spread << (D - 1 - axis);
             }
         }
         key
     }
+
+    /// A byte's bits at every D-th place.
+    const SPREAD: [u64; 256] = {
+        let mut table = [0; 256];
+        let mut i = 0;
+        while i < 8 * table.len() {
+            let (byte, bit) = (i / 8, i % 8);
+            if bit * D < 64 {
+                table[byte] |= (byte as u64 >> bit & 1) << (bit * D);
+            }
+            i += 1;
+        }
+        table
+    };
 }
 
 /// Turns grid coordinates into the key's bits, axis by axis [Ski04].
 fn transpose<const D: usize>(x: &mut [u32; D], bits: u32) {
     for bit in (1..bits).rev() {
-        let (q, p) = (1u32 << bit, (1u32 << bit) - 1);
+        let below = (1u32 << bit) - 1;
         for axis in 0..D {
-            if x[axis] & q != 0 {
-                x[0] ^= p;
-            } else {
-                let t = (x[0] ^ x[axis]) & p;
-                x[0] ^= t;
-                x[axis] ^= t;
-            }
+            // If the bit is set, invert what is below it on the first axis; else exchange that with this axis.
+            let set = (x[axis] >> bit & 1).wrapping_neg() & below;
+            let exchange = (x[0] ^ x[axis]) & below & !set;
+            x[0] ^= exchange | set;
+            x[axis] ^= exchange;
         }
     }
     for axis in 1..D {
         x[axis] ^= x[axis - 1];
     }
-    let mut t = 0;
-    for bit in (1..bits).rev() {
-        if x[D - 1] & 1 << bit != 0 {
-            t ^= (1 << bit) - 1;
-        }
+    // Each bit becomes the parity of those above it.
+    let mut parity = x[D - 1] >> 1;
+    for shift in [1, 2, 4, 8, 16] {
+        parity ^= parity >> shift;
     }
-    x.iter_mut().for_each(|coordinate| *coordinate ^= t);
+    x.iter_mut().for_each(|coordinate| *coordinate ^= parity);
 }
