@@ -215,18 +215,24 @@ impl<const D: usize> Mesh<D> {
     /// If the number of corners is not the mesh's.
     pub fn add_cell(&mut self, corners: &[VertexId]) -> CellId {
         assert_eq!(corners.len(), self.corner_count(), "a cell has as many corners as its mesh");
-        let cell = self.free.pop().unwrap_or_else(|| {
-            let cell = CellId::new(self.cell_count());
-            self.vertices.resize(self.vertices.len() + D + 1, VertexId::GHOST);
-            self.twins.extend((0..=D).map(|corner| FacetId::<D>::new(cell, corner)));
-            cell
-        });
+        let cell = self.claim_cell();
         let first = cell.index() * (D + 1);
         self.vertices[first..first + corners.len()].copy_from_slice(corners);
         for corner in 0..corners.len() {
             self.twins[first + corner] = FacetId::new(cell, corner);
         }
         cell
+    }
+
+    /// A slot for a cell, which still holds what it held.
+    #[inline]
+    pub(crate) fn claim_cell(&mut self) -> CellId {
+        self.free.pop().unwrap_or_else(|| {
+            let cell = CellId::new(self.cell_count());
+            self.vertices.resize(self.vertices.len() + D + 1, VertexId::GHOST);
+            self.twins.extend((0..=D).map(|corner| FacetId::<D>::new(cell, corner)));
+            cell
+        })
     }
 
     /// Makes two facets twins.

@@ -10,6 +10,9 @@ use crate::Sites;
 /// Rounds end when no more than this many sites are left.
 const FIRST_ROUND: usize = 64;
 
+/// Points whose keys are found in step.
+const LANES: usize = 8;
+
 /// A bijective hash: one step of the SplitMix64 generator [SLF14]. Wherever an algorithm wants randomness it scatters
 /// something that is the input's own, so that every run is the same.
 #[must_use]
@@ -48,14 +51,16 @@ impl<const D: usize> Sites<D> {
     fn order_by(&self, round: impl Fn(u64) -> u64) -> Vec<u32> {
         let curve = Curve::around(self.points());
         // Round, place on the curve and rank in one number: equal places stay in lexicographic order.
-        let mut keyed: Vec<u128> = (0u32..)
-            .zip(self.sorted())
-            .map(|(rank, &site)| {
+        let mut keyed: Vec<u128> = Vec::with_capacity(self.len());
+        let mut ranks = 0u32..;
+        for sites in self.sorted().chunks(LANES) {
+            let at = |lane: usize| self.points()[sites[lane.min(sites.len() - 1)] as usize];
+            let keys = curve.keys::<LANES>(&std::array::from_fn(at));
+            keyed.extend(ranks.by_ref().zip(&keys[..sites.len()]).map(|(rank, &key)| {
                 let round = round(u64::from(rank));
-                let key = curve.key(&self.points()[site as usize]);
                 u128::from(round) << 96 | u128::from(key) << 32 | u128::from(rank)
-            })
-            .collect();
+            }));
+        }
         keyed.sort_unstable();
         keyed.into_iter().map(|item| self.sorted()[low_half(item) as usize]).collect()
     }
@@ -106,18 +111,34 @@ impl<const D: usize> Curve<D> {
 
     /// The place of a point along the curve.
     #[must_use]
+    pub fn key(&self, point: &[f64; D]) -> u64 {
+        let [key] = self.keys(&[*point]);
+        key
+    }
+
+    /// The places of several points: they are found in step, since each is one long chain of dependent operations.
+    #[must_use]
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
         reason = "the float is between 0 and 2^BITS - 1, and casts saturate"
     )]
-    pub fn key(&self, point: &[f64; D]) -> u64 {
+    pub fn keys<const N: usize>(&self, points: &[[f64; D]; N]) -> [u64; N] {
         let top = f64::from(u32::MAX >> (32 - Self::BITS));
-        let mut x: [u32; D] = std::array::from_fn(|axis| {
-            let offset = point[axis] * self.scale - self.low[axis] * self.scale;
-            if self.extent > 0.0 { (offset / self.extent * top) as u32 } else { 0 }
-        });
+        let mut x = [[0; N]; D];
+        for (axis, lanes) in x.iter_mut().enumerate() {
+            for (coordinate, point) in lanes.iter_mut().zip(points) {
+                let offset = point[axis] * self.scale - self.low[axis] * self.scale;
+                *coordinate =
+                    if self.extent > 0.0 { (offset / self.extent * top) as u32 } else { 0 };
+            }
+        }
         transpose(&mut x, Self::BITS);
+        std::array::from_fn(|lane| Self::interleave(x.map(|lanes| lanes[lane])))
+    }
+
+    /// The bits of the coordinates by turns, the highest of the first one first.
+    fn interleave(x: [u32; D]) -> u64 {
         let mut key = 0;
         for byte in (0..Self::BITS.div_ceil(8)).rev() {
             if key != 0 {
@@ -146,25 +167,33 @@ impl<const D: usize> Curve<D> {
     };
 }
 
-/// Turns grid coordinates into the key's bits, axis by axis [Ski04].
-fn transpose<const D: usize>(x: &mut [u32; D], bits: u32) {
+/// Turns grid coordinates, of N points in step, into the key's bits, axis by axis [Ski04].
+fn transpose<const D: usize, const N: usize>(x: &mut [[u32; N]; D], bits: u32) {
     for bit in (1..bits).rev() {
         let below = (1u32 << bit) - 1;
         for axis in 0..D {
-            // If the bit is set, invert what is below it on the first axis; else exchange that with this axis.
-            let set = (x[axis] >> bit & 1).wrapping_neg() & below;
-            let exchange = (x[0] ^ x[axis]) & below & !set;
-            x[0] ^= exchange | set;
-            x[axis] ^= exchange;
+            let (mut first, mut other) = (x[0], x[axis]);
+            for (first, other) in first.iter_mut().zip(&mut other) {
+                // If the bit is set, invert what is below it on the first axis; else exchange that with this axis.
+                let set = (*other >> bit & 1).wrapping_neg() & below;
+                let exchange = (*first ^ *other) & below & !set;
+                *first ^= exchange | set;
+                *other ^= exchange;
+            }
+            (x[axis], x[0]) = (other, first); // in this order: they may be one
         }
     }
-    for axis in 1..D {
-        x[axis] ^= x[axis - 1];
+    for lane in 0..N {
+        for axis in 1..D {
+            x[axis][lane] ^= x[axis - 1][lane];
+        }
+        // Each bit becomes the parity of those above it.
+        let mut parity = x[D - 1][lane] >> 1;
+        for shift in [1, 2, 4, 8, 16] {
+            parity ^= parity >> shift;
+        }
+        for coordinates in &mut *x {
+            coordinates[lane] ^= parity;
+        }
     }
-    // Each bit becomes the parity of those above it.
-    let mut parity = x[D - 1] >> 1;
-    for shift in [1, 2, 4, 8, 16] {
-        parity ^= parity >> shift;
-    }
-    x.iter_mut().for_each(|coordinate| *coordinate ^= parity);
 }
