@@ -38,6 +38,7 @@ use delone_mesh::{FacetId, Mesh, VertexId};
 use delone_predicates::{Kernel, Sign};
 use delone_probe::{Event, Probe};
 use delone_sites::Sites;
+use rayon::prelude::{IntoParallelRefIterator, IntoParallelRefMutIterator, ParallelIterator};
 
 use cuts::{Axis, LEAF, THREAD};
 use merge::{Hull, Work};
@@ -65,7 +66,11 @@ pub fn divide_conquer(
     let hull = solve(&mut Work { patch, kernel: &kernel, probe }, 0, count(&order), Axis::X);
     drop(kernel);
     probe.on(Event::Site { done: order.len(), total: order.len() });
-    arrays.into_mesh(hull, &order, sites.sorted())
+    if arrays.is_chain(hull) {
+        return chain_mesh(sites);
+    }
+    arrays.apexes.iter_mut().for_each(|vertex| rename(vertex, &order));
+    arrays.into_mesh()
 }
 
 /// The same, bit for bit, on up to `threads` threads. It takes no probe: the counts would be those of the other.
@@ -84,17 +89,21 @@ pub fn divide_conquer_in_parallel<K: Kernel<2, Reordered: Sync> + Sync>(
         return divide_conquer(kernel, sites, &mut ());
     };
     pool.install(|| {
-        let mut items = cuts::items(sites);
+        let mut items = cuts::items_in_parallel(sites);
         cuts::cut_in_parallel(&mut items, Axis::X);
         let order: Vec<u32> =
-            items.iter().map(|item| sites.sorted()[item.rank() as usize]).collect();
+            items.par_iter().map(|item| sites.sorted()[item.rank() as usize]).collect();
         drop(items);
         let kernel = kernel.reordered(&order);
         let mut arrays = Arrays::new(order.len());
         let patch = Patch::new(&mut arrays.apexes, &mut arrays.twins);
         let hull = solve_in_parallel(patch, &kernel, 0, count(&order), Axis::X);
         drop(kernel);
-        arrays.into_mesh(hull, &order, sites.sorted())
+        if arrays.is_chain(hull) {
+            return chain_mesh(sites);
+        }
+        arrays.apexes.par_iter_mut().for_each(|vertex| rename(vertex, &order));
+        arrays.into_mesh()
     })
 }
 
@@ -125,7 +134,7 @@ fn solve<K: Kernel<2>, P: Probe>(
     let m = i + (j - i) / 2;
     let left = solve(work, i, m, axis.other());
     let right = solve(work, m, j, axis.other());
-    work.merge(left.top, right.bottom, axis, 2 * m - 2) // Inv 1
+    work.merge(left, right, axis, 2 * m - 2) // Inv 1
 }
 
 /// The same on the threads there are.
@@ -145,7 +154,7 @@ fn solve_in_parallel<K: Kernel<2> + Sync>(
         || solve_in_parallel(left, kernel, i, m, axis.other()),
         || solve_in_parallel(right, kernel, m, j, axis.other()),
     );
-    Work { patch, kernel, probe: &mut () }.merge(left.top, right.bottom, axis, 2 * m - 2)
+    Work { patch, kernel, probe: &mut () }.merge(left, right, axis, 2 * m - 2)
 }
 
 /// Two or three sites: a triangle and its ghosts, or a chain of edges, each of them two ghosts back to back.
@@ -190,8 +199,8 @@ fn chain<K: Kernel<2>, P: Probe>(work: &mut Work<'_, K, P>, i: Place, j: Place) 
         patch.chain(there, back);
         last = Some((there, back));
     }
-    let first = 6 * i + 2;
-    Hull { bottom: first + 3, top: first }
+    let first = 6 * i + 2; // from the first site
+    Hull { bottom: first, top: first }
 }
 
 /// All triangles, ghosts included.
@@ -210,25 +219,33 @@ impl Arrays {
         Self { apexes: vec![0; facets], twins: vec![0; facets] }
     }
 
-    /// As a mesh of the sites, which are in the order of places.
-    fn into_mesh(self, hull: Hull, order: &[u32], sorted: &[u32]) -> Mesh<2> {
-        if self.apexes[self.twins[hull.top as usize] as usize] == GHOST {
-            // The outermost edge has the outside on both sides: all sites are in line.
-            return chain_mesh(sorted);
-        }
-        let vertex = |place: Place| match place {
-            GHOST => VertexId::GHOST,
-            place => VertexId::new(order[place as usize] as usize),
-        };
+    /// Whether the outermost edge has the outside on both sides: all sites are in line.
+    fn is_chain(&self, hull: Hull) -> bool {
+        self.apexes[self.twins[hull.top as usize] as usize] == GHOST
+    }
+
+    /// As a mesh of the vertices that the apexes name.
+    fn into_mesh(self) -> Mesh<2> {
         // Both run in place: handles are as wide as numbers.
+        let vertex =
+            |name| if name == GHOST { VertexId::GHOST } else { VertexId::new(name as usize) };
         let corners = self.apexes.into_iter().map(vertex).collect();
         let twins = self.twins.into_iter().map(|e| FacetId::from_index(e as usize)).collect();
         Mesh::from_parts(2, corners, twins)
     }
 }
 
+/// Makes the site of a place.
+#[inline]
+fn rename(vertex: &mut Place, order: &[u32]) {
+    if *vertex != GHOST {
+        *vertex = order[*vertex as usize];
+    }
+}
+
 /// Sites in line as a mesh of dimension 1: a circle of segments, through the sites in order and the ghost.
-fn chain_mesh(sorted: &[u32]) -> Mesh<2> {
-    let line: Vec<VertexId> = sorted.iter().map(|&site| VertexId::new(site as usize)).collect();
+fn chain_mesh(sites: &Sites<2>) -> Mesh<2> {
+    let line: Vec<VertexId> =
+        sites.sorted().iter().map(|&site| VertexId::new(site as usize)).collect();
     Mesh::chain(&line)
 }

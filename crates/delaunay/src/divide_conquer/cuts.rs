@@ -10,6 +10,7 @@ use std::cmp::Ordering;
 
 use delone_predicates::{Id, Kernel};
 use delone_sites::{Sites, sortable};
+use rayon::prelude::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
 
 /// Blocks of this many sites and fewer are not cut.
 pub(super) const LEAF: usize = 3;
@@ -52,6 +53,12 @@ impl Axis {
 pub(super) struct Item(u128);
 
 impl Item {
+    fn new(sites: &Sites<2>, rank: usize, site: u32) -> Self {
+        let rank = u32::try_from(rank).expect("sites have ids of 32 bits");
+        let y = sortable(sites.points()[site as usize][1]);
+        Self(u128::from(y) << 32 | u128::from(!rank))
+    }
+
     #[expect(clippy::cast_possible_truncation, reason = "the lower half is the rank")]
     pub(super) const fn rank(self) -> u32 {
         !(self.0 as u32)
@@ -60,9 +67,13 @@ impl Item {
 
 /// The sites in lexicographic order, to be cut.
 pub(super) fn items(sites: &Sites<2>) -> Vec<Item> {
-    let heights = sites.sorted().iter().map(|&site| sortable(sites.points()[site as usize][1]));
-    let ranked = (0u32..).zip(heights);
-    ranked.map(|(rank, y)| Item(u128::from(y) << 32 | u128::from(!rank))).collect()
+    sites.sorted().iter().enumerate().map(|(rank, &site)| Item::new(sites, rank, site)).collect()
+}
+
+/// [`items`] on the threads there are.
+pub(super) fn items_in_parallel(sites: &Sites<2>) -> Vec<Item> {
+    let ranked = sites.sorted().par_iter().with_min_len(THREAD).enumerate();
+    ranked.map(|(rank, &site)| Item::new(sites, rank, site)).collect()
 }
 
 /// Puts items into the order of the cuts, of which the first is across the axis along which they are `sorted`.

@@ -60,8 +60,13 @@ pub(super) struct Work<'a, K, P> {
 }
 
 impl<K: Kernel<2>, P: Probe> Work<'_, K, P> {
-    /// Merges the block with the ghost `left` on its hull and that with `right`. See the module's text.
-    pub(super) fn merge(&mut self, left: Edge, right: Edge, axis: Axis, slot: u32) -> Hull {
+    /// Merges the blocks with the hulls `left` and `right`. See the module's text.
+    pub(super) fn merge(&mut self, left: Hull, right: Hull, axis: Axis, slot: u32) -> Hull {
+        // The halves were cut across the other axis: their last and first sites along this one are near the tangents.
+        let (left, right) = match axis {
+            Axis::X => (left.bottom, right.top),
+            Axis::Y => (left.top, right.bottom),
+        };
         let g = self.climb(left, axis, |patch, g| patch.end(g), true);
         let h = self.climb(right, axis, |patch, h| patch.start(h), false);
         let (mut g, mut h) = self.lower_tangent(g, h);
