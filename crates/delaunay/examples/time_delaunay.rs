@@ -5,6 +5,7 @@
 //! cargo run --release -p delone-delaunay --example time_delaunay -- \
 //!     [--algorithms a,b] [--workloads uniform,grid] [--sizes 10000,1000000] [--threads 1,2] [--runs 5]
 //! ```
+//! The peak of memory is that of the program so far, with what came before: run one case alone to know its own.
 //! The last column hashes the cells: it must be one for all algorithms and numbers of threads.
 #![expect(clippy::print_stdout, clippy::disallowed_methods, reason = "it prints times")]
 
@@ -38,9 +39,10 @@ fn main() {
                     let threads = NonZeroUsize::new(threads).expect("a thread");
                     let options = Options { threads, ..Options::default() };
                     let (take, result) = median(runs, n, || (algorithm.run)(&sites, &options));
+                    let peak = peak();
                     let hash = result.fingerprint(&sites);
                     println!(
-                        "{workload:10} {:8} {:16} {take}  threads {threads}  {hash}",
+                        "{workload:10} {:8} {:16} {take}  threads {threads}  peak {peak}  {hash}",
                         sites.len(),
                         algorithm.name,
                     );
@@ -70,6 +72,13 @@ fn median<T>(runs: usize, count: usize, mut run: impl FnMut() -> T) -> (String, 
             return (text, result);
         }
     }
+}
+
+/// The most memory that the program has held so far, points and sites included.
+fn peak() -> String {
+    let text = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let line = text.lines().find_map(|line| line.strip_prefix("VmHWM:"));
+    line.map_or_else(String::new, |size| size.trim().to_owned())
 }
 
 /// Nanoseconds that the main thread has spent on a processor; 0 if the system does not tell.
