@@ -28,14 +28,13 @@ pub(super) enum Axis {
 }
 
 impl Axis {
-    /// Whether `u` comes before `v`, another vertex.
+    /// The order of two vertices.
     #[inline]
-    pub(super) fn precedes<V: Id>(self, kernel: &impl Kernel<2>, u: V, v: V) -> bool {
-        let order = match self {
+    pub(super) fn compare<V: Id>(self, kernel: &impl Kernel<2>, u: V, v: V) -> Ordering {
+        match self {
             Self::X => kernel.compare_lexicographic(u, v),
             Self::Y => kernel.compare(1, u, v).then_with(|| kernel.compare(0, v, u)),
-        };
-        order == Ordering::Less
+        }
     }
 
     /// The other one.

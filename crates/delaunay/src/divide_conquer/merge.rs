@@ -17,7 +17,8 @@
 //! free slots. **Out.** The patch of both; its bottom and top ghosts, which stand in the two slots.
 //! **Invariants.** 1. Below the base everything is final. 2. Ghosts form a cycle on either side, but for the stretch that
 //! the bottom ghost has replaced. 3. A candidate that is above the base stays above until its own side moves: the base
-//! only turns towards it.
+//! only turns towards it. 4. The hulls are convex: along any line, tilted a little, vertices rise to one last and fall to one
+//! first.
 //! **Cost.** O(edges made and destroyed + hull edges passed on the way to the tangents).
 //!
 //! **Degeneracies.**
@@ -27,6 +28,8 @@
 //! | all sites in line | bottom and top ghost are glued back to back | `collinear_sites_are_a_chain` |
 //! | candidate in line with the base | not above it | `collinear_sites_are_a_chain` |
 //! | four cocircular sites at the base | the perturbation decides | `cocircular_sites_agree` |
+
+use std::cmp::Ordering;
 
 use delone_predicates::{Kernel, Side, Sign};
 use delone_probe::{Event, Probe};
@@ -67,8 +70,8 @@ impl<K: Kernel<2>, P: Probe> Work<'_, K, P> {
             Axis::X => (left.bottom, right.top),
             Axis::Y => (left.top, right.bottom),
         };
-        let g = self.climb(left, axis, |patch, g| patch.end(g), true);
-        let h = self.climb(right, axis, |patch, h| patch.start(h), false);
+        let g = self.climb(left, axis, Ordering::Greater, |patch, g| patch.end(g));
+        let h = self.climb(right, axis, Ordering::Less, |patch, h| patch.start(h));
         let (mut g, mut h) = self.lower_tangent(g, h);
         let (mut l, mut r) = (self.patch.end(g), self.patch.start(h));
         let bottom = self.patch.put(slot, [r, l, GHOST]);
@@ -77,7 +80,10 @@ impl<K: Kernel<2>, P: Probe> Work<'_, K, P> {
         let mut below = bottom;
         let (mut c, mut d) = (self.patch.start(g), self.patch.end(h));
         let (mut left_up, mut right_up) = (self.left_turn(l, r, c), self.left_turn(l, r, d));
+        let mut ghosts = self.patch.slots();
         while left_up || right_up {
+            assert!(ghosts > 0, "Inv 1: each triangle covers a ghost for good");
+            ghosts -= 1;
             if left_up {
                 c = self.left_candidate(g, l, r, c);
             }
@@ -110,26 +116,28 @@ impl<K: Kernel<2>, P: Probe> Work<'_, K, P> {
         Hull { bottom, top }
     }
 
-    /// The ghost whose `vertex` is the last (or the first) of the hull along the axis. On a hull that is convex in an
-    /// order that sees a tilted line, vertices rise to the one and fall from it: we climb.
+    /// The ghost whose `vertex` is the greatest, or the least, of the hull along the axis: we climb. (Inv 4)
     fn climb(
         &self,
         start: Edge,
         axis: Axis,
+        goal: Ordering,
         vertex: impl Fn(&Patch<'_>, Edge) -> Place,
-        last: bool,
     ) -> Edge {
         let higher = |e: Edge, f: Edge| {
-            axis.precedes(self.kernel, Site(vertex(&self.patch, f)), Site(vertex(&self.patch, e)))
-                == last
+            let (u, v) = (Site(vertex(&self.patch, e)), Site(vertex(&self.patch, f)));
+            axis.compare(self.kernel, u, v) == goal
         };
         let mut ghost = start;
+        let mut steps = 0..self.patch.slots();
         while higher(self.patch.after(ghost), ghost) {
             ghost = self.patch.after(ghost);
+            assert!(steps.next().is_some(), "Inv 4: a hull does not rise all the way round");
         }
         if ghost == start {
             while higher(self.patch.before(ghost), ghost) {
                 ghost = self.patch.before(ghost);
+                assert!(steps.next().is_some(), "Inv 4: a hull does not rise all the way round");
             }
         }
         ghost
@@ -137,7 +145,7 @@ impl<K: Kernel<2>, P: Probe> Work<'_, K, P> {
 
     /// From ghosts that end at the last site on the left and start at the first one on the right, down to the tangent.
     fn lower_tangent(&mut self, mut g: Edge, mut h: Edge) -> (Edge, Edge) {
-        loop {
+        for _ in 0..=self.patch.slots() {
             let (l, r) = (self.patch.end(g), self.patch.start(h));
             let (after, before) = (self.patch.after(g), self.patch.before(h));
             if self.right_turn(l, r, self.patch.end(after)) {
@@ -148,6 +156,7 @@ impl<K: Kernel<2>, P: Probe> Work<'_, K, P> {
                 return (g, h);
             }
         }
+        panic!("Inv 4: a tangent goes down on convex hulls");
     }
 
     /// Destroys what is not Delaunay behind the ghost `g`, from `c` to `l`; where it starts then.

@@ -56,6 +56,11 @@ impl<'a> Patch<'a> {
         )
     }
 
+    /// How many triangles fit.
+    pub(super) const fn slots(&self) -> usize {
+        self.apexes.len() / 3
+    }
+
     #[inline(always)]
     const fn at(&self, e: Edge) -> usize {
         e.wrapping_sub(self.first) as usize
