@@ -1,5 +1,6 @@
-//! Times the algorithms of the plane: nanoseconds a site, the median of several runs and the best one, by the clock on the wall and, where
-//! Linux tells it, on the processor. (That of the main thread alone: it says nothing where others work for it.)
+//! Times the algorithms of the plane: nanoseconds a site, the median of several runs and the best one, by the clock on
+//! the wall and, where Linux tells it, on the processor. (That of the main thread alone: it says nothing where others
+//! work for it.)
 //!
 //! ```sh
 //! cargo run --release -p delone-delaunay --example time_delaunay -- \
