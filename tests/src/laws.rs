@@ -51,7 +51,7 @@ pub fn all_options() -> Vec<Options> {
     for order in orders {
         for kernel in kernels {
             let seeds = if order == Order::Brio { 0..3 } else { 0..1 };
-            all.extend(seeds.map(|seed| Options { kernel, order, seed }));
+            all.extend(seeds.map(|seed| Options { kernel, order, seed, ..Options::default() }));
         }
     }
     all

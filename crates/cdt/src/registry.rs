@@ -1,6 +1,7 @@
 //! Every CDT algorithm by name: what the lab, the tests and the benches walk.
 
-use delone_delaunay::{KernelKind, Options, delaunay};
+use delone_delaunay::{KernelKind, Options, divide_conquer};
+use delone_mesh::{Mesh, VertexId};
 use delone_predicates::{Adaptive, Exact, PlaneKernel};
 use delone_probe::Probe;
 use delone_sites::Pslg;
@@ -42,12 +43,12 @@ pub fn algorithms() -> Vec<Algorithm> {
 /// The CDT by Chew's divide and conquer.
 pub fn chew(pslg: &Pslg, options: &Options, probe: &mut impl Probe) -> Cdt {
     match options.kernel {
-        KernelKind::Exact => chew_under(&Exact::new(pslg.sites().points()), pslg, options, probe),
-        _ => chew_under(&Adaptive::new(pslg.sites().points()), pslg, options, probe),
+        KernelKind::Exact => chew_under(&Exact::new(pslg.sites().points()), pslg, probe),
+        _ => chew_under(&Adaptive::new(pslg.sites().points()), pslg, probe),
     }
 }
 
-fn chew_under<K>(kernel: &K, pslg: &Pslg, options: &Options, probe: &mut impl Probe) -> Cdt
+fn chew_under<K>(kernel: &K, pslg: &Pslg, probe: &mut impl Probe) -> Cdt
 where
     K: PlaneKernel,
     K::Reordered: PlaneKernel,
@@ -65,13 +66,15 @@ where
     let rings = crate::chew::chew(&kernel, sorted.len(), &ranked, probe);
     match crate::chew::hand_over(&rings, &kernel, sorted) {
         Some((mesh, constrained)) => Cdt::new(mesh, constrained),
-        None => on_a_line(pslg, options, probe),
+        None => {
+            let line: Vec<VertexId> = sorted.iter().map(|&v| VertexId::new(v as usize)).collect();
+            on_a_line(Mesh::chain(&line), pslg)
+        }
     }
 }
 
-/// The chain of sites in line, each subsegment being an edge of it.
-fn on_a_line(pslg: &Pslg, options: &Options, probe: &mut impl Probe) -> Cdt {
-    let mesh = delaunay(pslg.sites(), options, probe).into_mesh();
+/// All sites in line: the triangulation is their chain, and each subsegment is an edge of it.
+fn on_a_line(mesh: Mesh<2>, pslg: &Pslg) -> Cdt {
     let constrained = chain::constrained_cells(&mesh, pslg.subsegments());
     Cdt::new(mesh, constrained)
 }
@@ -79,24 +82,18 @@ fn on_a_line(pslg: &Pslg, options: &Options, probe: &mut impl Probe) -> Cdt {
 /// The CDT by Delaunay triangulation and [`insert_segments`].
 pub fn cavity(pslg: &Pslg, options: &Options, probe: &mut impl Probe) -> Cdt {
     match options.kernel {
-        KernelKind::Exact => cavity_under(&Exact::new(pslg.sites().points()), pslg, options, probe),
-        _ => cavity_under(&Adaptive::new(pslg.sites().points()), pslg, options, probe),
+        KernelKind::Exact => cavity_under(&Exact::new(pslg.sites().points()), pslg, probe),
+        _ => cavity_under(&Adaptive::new(pslg.sites().points()), pslg, probe),
     }
 }
 
-fn cavity_under(
-    kernel: &impl PlaneKernel,
-    pslg: &Pslg,
-    options: &Options,
-    probe: &mut impl Probe,
-) -> Cdt {
-    let mesh = delaunay(pslg.sites(), options, probe).into_mesh();
+fn cavity_under(kernel: &impl PlaneKernel, pslg: &Pslg, probe: &mut impl Probe) -> Cdt {
+    let mesh = divide_conquer(kernel, pslg.sites(), probe);
     if mesh.dimension() == Some(2) {
         let (mesh, constrained) =
             insert_segments(mesh, kernel, pslg.sites().len(), pslg.subsegments(), probe);
         Cdt::new(mesh, constrained)
     } else {
-        let constrained = chain::constrained_cells(&mesh, pslg.subsegments());
-        Cdt::new(mesh, constrained)
+        on_a_line(mesh, pslg)
     }
 }

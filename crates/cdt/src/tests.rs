@@ -31,7 +31,7 @@ fn check(points: &[[f64; 2]], segments: &[[usize; 2]]) -> Cdt {
     for (kernel, order) in
         [(KernelKind::Exact, Order::Lexicographic), (KernelKind::Adaptive, Order::AsGiven)]
     {
-        let options = Options { kernel, order, seed: 5 };
+        let options = Options { kernel, order, seed: 5, ..Options::default() };
         for other in algorithms().iter().map(|algorithm| (algorithm.run)(&pslg, &options)) {
             assert_eq!(
                 other.mesh().faults(Level::Sphere, pslg.sites().len()),

@@ -15,6 +15,7 @@
 //! | module | paper | time | when |
 //! |---|---|---|---|
 //! | [`delaunay()`] | | | always, unless you compare algorithms |
+//! | [`divide_conquer()`] | [GS85], [Dwy87] | O(n log n) | the plane: the fastest, and on several threads |
 //! | [`bowyer_watson()`] | [Bow81], [Wat81] | expected O(n log n) in the plane | any dimension, your own kernel |
 //! | [`naive_delaunay`] | the definition | O(n^(D+2)) | to test the others |
 //!
@@ -27,6 +28,7 @@
 
 mod bowyer_watson;
 mod conflict;
+mod divide_conquer;
 mod flat;
 mod locate;
 mod naive;
@@ -35,6 +37,7 @@ mod result;
 
 pub use bowyer_watson::bowyer_watson;
 pub use conflict::{dig_conflicts, in_conflict};
+pub use divide_conquer::{divide_conquer, divide_conquer_in_parallel};
 pub use locate::{Coin, walk};
 pub use naive::naive_delaunay;
 pub use registry::{Algorithm, KernelKind, Options, Order, algorithms, delaunay};

@@ -1,10 +1,13 @@
 //! Every Delaunay algorithm by name: what the lab, the tests and the benches walk.
 
+use std::any::Any;
+use std::num::NonZeroUsize;
+
 use delone_predicates::{Adaptive, Exact};
 use delone_probe::Probe;
 use delone_sites::Sites;
 
-use crate::{Delaunay, bowyer_watson};
+use crate::{Delaunay, bowyer_watson, divide_conquer, divide_conquer_in_parallel};
 
 /// Which kernel answers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -32,15 +35,28 @@ pub enum Order {
     Lexicographic,
 }
 
-/// How to run an algorithm.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// How to run an algorithm. No result depends on it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Options {
     /// Who answers.
     pub kernel: KernelKind,
     /// The order of insertion, where there is one.
     pub order: Order,
-    /// Seeds the randomized order. The result does not depend on it.
+    /// Seeds the randomized order.
     pub seed: u64,
+    /// How many threads an algorithm may use that can use several.
+    pub threads: NonZeroUsize,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            kernel: KernelKind::default(),
+            order: Order::default(),
+            seed: 0,
+            threads: NonZeroUsize::MIN,
+        }
+    }
 }
 
 /// One Delaunay algorithm.
@@ -52,19 +68,53 @@ pub struct Algorithm<const D: usize> {
     pub papers: &'static [&'static str],
     /// Runs it.
     pub run: fn(&Sites<D>, &Options) -> Delaunay<D>,
-    /// Runs it and tells the probe.
+    /// Runs it, on one thread, and tells the probe.
     pub run_with: fn(&Sites<D>, &Options, &mut dyn Probe) -> Delaunay<D>,
 }
 
-/// All algorithms that run in D dimensions.
+/// All algorithms that run in D dimensions; the first is the one to take if nothing speaks for another.
 #[must_use]
 pub fn algorithms<const D: usize>() -> Vec<Algorithm<D>> {
-    vec![Algorithm {
+    let mut rows = only_in(planar());
+    rows.push(Algorithm {
         name: "bowyer-watson",
         papers: &["Bow81", "Wat81", "DT11", "ACR03"],
         run: |sites, options| delaunay(sites, options, &mut ()),
         run_with: |sites, options, mut probe| delaunay(sites, options, &mut probe),
+    });
+    rows
+}
+
+/// Algorithms of the plane.
+fn planar() -> Vec<Algorithm<2>> {
+    vec![Algorithm {
+        name: "divide-conquer",
+        papers: &["GS85", "LS80", "Dwy87", "She96", "DT11"],
+        run: |sites, options| {
+            let (points, threads) = (sites.points(), options.threads);
+            Delaunay::new(match options.kernel {
+                KernelKind::Adaptive => {
+                    divide_conquer_in_parallel(&Adaptive::new(points), sites, threads)
+                }
+                KernelKind::Exact => {
+                    divide_conquer_in_parallel(&Exact::new(points), sites, threads)
+                }
+            })
+        },
+        run_with: |sites, options, mut probe| {
+            let points = sites.points();
+            Delaunay::new(match options.kernel {
+                KernelKind::Adaptive => divide_conquer(&Adaptive::new(points), sites, &mut probe),
+                KernelKind::Exact => divide_conquer(&Exact::new(points), sites, &mut probe),
+            })
+        },
     }]
+}
+
+/// These rows if D is their dimension K, else none. Where D is K, the two types are one, and a cast finds out.
+fn only_in<const D: usize, const K: usize>(rows: Vec<Algorithm<K>>) -> Vec<Algorithm<D>> {
+    let rows: Box<dyn Any> = Box::new(rows);
+    rows.downcast().map_or_else(|_| Vec::new(), |rows| *rows)
 }
 
 /// The Delaunay triangulation of sites, by [`bowyer_watson`] in the given order under the given kernel.

@@ -13,7 +13,7 @@ fn check<const D: usize>(points: &[[f64; D]]) -> Delaunay<D> {
     assert_eq!(first.mesh().faults(Level::Sphere, sites.len()), [], "{points:?}");
     for order in ORDERS {
         for kernel in [KernelKind::Adaptive, KernelKind::Exact] {
-            let options = Options { order, kernel, seed: 3 };
+            let options = Options { order, kernel, seed: 3, ..Options::default() };
             assert_eq!(
                 delaunay(&sites, &options, &mut ()).canonical(),
                 first.canonical(),

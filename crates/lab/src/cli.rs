@@ -1,5 +1,6 @@
 //! The command line: every command and option, with what `--help` says.
 
+use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -105,6 +106,9 @@ pub(crate) struct Run {
     /// Seeds the order of insertion; the result does not depend on it
     #[arg(long, default_value_t = 0)]
     pub(crate) seed: u64,
+    /// Threads for algorithms that can use several; the result does not depend on it
+    #[arg(long, default_value = "1")]
+    pub(crate) threads: NonZeroUsize,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]

@@ -41,6 +41,7 @@ pub(crate) fn options(run: &cli::Run) -> Options {
             cli::Order::Lexicographic => Order::Lexicographic,
         },
         seed: run.seed,
+        threads: run.threads,
     }
 }
 

@@ -90,15 +90,27 @@ impl<const D: usize> Mesh<D> {
     /// # Panics
     /// If the rim is empty.
     pub fn star(&mut self, cavity: &Cavity<D>, apex: VertexId) -> CellId {
-        let count = self.corner_count();
-        let mut corners = [VertexId::GHOST; 16];
-        let corners = &mut corners[..count];
+        // The usual case apart, so that the compiler knows how many corners a cell has.
+        if self.corner_count() == D + 1 {
+            self.star_of(cavity, apex, D + 1)
+        } else {
+            self.star_of(cavity, apex, self.corner_count())
+        }
+    }
+
+    #[inline(always)]
+    fn star_of(&mut self, cavity: &Cavity<D>, apex: VertexId, count: usize) -> CellId {
         let mut last = None;
         for &inside in &cavity.rim {
-            corners.copy_from_slice(self.corners(inside.cell()));
-            corners[inside.corner()] = apex;
             let outside = self.twin(inside);
-            let new = FacetId::new(self.add_cell(corners), inside.corner());
+            let cell = self.claim_cell();
+            let (old, slot) = (inside.cell().index() * (D + 1), cell.index() * (D + 1));
+            for corner in 0..count {
+                self.vertices[slot + corner] = self.vertices[old + corner];
+                self.twins[slot + corner] = FacetId::new(cell, corner);
+            }
+            let new = FacetId::new(cell, inside.corner());
+            self.vertices[new.index()] = apex;
             self.glue(new, outside);
             self.twins[inside.index()] = new; // from here on, whoever leaves through the rim finds the new cell
             last = Some(new.cell());

@@ -1,6 +1,6 @@
 //! The mesh itself: two flat arrays, read by handle.
 
-use crate::{CellId, FacetId, VertexId};
+use crate::{CellId, FacetId, Level, VertexId};
 
 /// A triangulated sphere of dimension up to D: the D+1 vertices of each cell, and the twin of each of its facets.
 ///
@@ -69,6 +69,46 @@ impl<const D: usize> Mesh<D> {
                     mesh.glue(facet, FacetId::new(there, mesh.corner_of(there, corners[i])));
                 }
             }
+        }
+        mesh
+    }
+
+    /// A mesh from its arrays: for each cell D+1 vertices and D+1 twins, of which a mesh of lower dimension uses the first
+    /// ones.
+    ///
+    /// # Panics
+    /// If the lengths are not one multiple of D+1. In debug builds, if the arrays are no mesh up to [`Level::Twins`].
+    #[must_use]
+    pub fn from_parts(dimension: usize, vertices: Vec<VertexId>, twins: Vec<FacetId<D>>) -> Self {
+        assert!(vertices.len() == twins.len() && vertices.len().is_multiple_of(D + 1));
+        assert!(dimension <= D, "a mesh of R^{D} has dimension up to {D}");
+        let mesh = Self { dimension: Some(dimension), vertices, twins, free: Vec::new() };
+        debug_assert_eq!(mesh.faults(Level::Twins, usize::MAX), []);
+        mesh
+    }
+
+    /// The mesh of some sites in line: a circle of segments, through the sites in their order along the line and the
+    /// ghost; a point and its ghost for one site; nothing for none.
+    ///
+    /// # Panics
+    /// If D is 0.
+    #[must_use]
+    pub fn chain(line: &[VertexId]) -> Self {
+        assert!(D >= 1, "a chain has a line to lie in");
+        match line {
+            [] => return Self::empty(),
+            [_] => return Self::simplex(line),
+            _ => {}
+        }
+        let mut mesh = Self { dimension: Some(1), ..Self::default() };
+        for pair in line.windows(2) {
+            mesh.add_cell(pair);
+        }
+        mesh.add_cell(&[line[line.len() - 1], VertexId::GHOST]);
+        mesh.add_cell(&[VertexId::GHOST, line[0]]);
+        for (cell, next) in mesh.cells().zip(mesh.cells().cycle().skip(1)) {
+            // The vertex between is opposite the other one of either.
+            mesh.glue(FacetId::new(cell, 0), FacetId::new(next, 1));
         }
         mesh
     }
@@ -190,18 +230,24 @@ impl<const D: usize> Mesh<D> {
     /// If the number of corners is not the mesh's.
     pub fn add_cell(&mut self, corners: &[VertexId]) -> CellId {
         assert_eq!(corners.len(), self.corner_count(), "a cell has as many corners as its mesh");
-        let cell = self.free.pop().unwrap_or_else(|| {
-            let cell = CellId::new(self.cell_count());
-            self.vertices.resize(self.vertices.len() + D + 1, VertexId::GHOST);
-            self.twins.extend((0..=D).map(|corner| FacetId::<D>::new(cell, corner)));
-            cell
-        });
+        let cell = self.claim_cell();
         let first = cell.index() * (D + 1);
         self.vertices[first..first + corners.len()].copy_from_slice(corners);
         for corner in 0..corners.len() {
             self.twins[first + corner] = FacetId::new(cell, corner);
         }
         cell
+    }
+
+    /// A slot for a cell, which still holds what it held.
+    #[inline]
+    pub(crate) fn claim_cell(&mut self) -> CellId {
+        self.free.pop().unwrap_or_else(|| {
+            let cell = CellId::new(self.cell_count());
+            self.vertices.resize(self.vertices.len() + D + 1, VertexId::GHOST);
+            self.twins.extend((0..=D).map(|corner| FacetId::<D>::new(cell, corner)));
+            cell
+        })
     }
 
     /// Makes two facets twins.

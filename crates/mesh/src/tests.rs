@@ -146,3 +146,21 @@ fn embedding_keeps_dimension_and_cells() {
     assert_eq!(embedded.faults(Level::Sphere, 2), []);
     assert_eq!(embedded.canonical(|v| u32::try_from(v.index()).unwrap()), [0, 1]);
 }
+
+#[test]
+fn a_chain_is_a_circle_through_the_ghost() {
+    for n in 2..6 {
+        let line: Vec<VertexId> = (0..n).map(v).collect();
+        let mesh = Mesh::<2>::chain(&line);
+        assert_eq!(mesh.faults(Level::Sphere, n), []);
+        assert_eq!((mesh.dimension(), mesh.ghost_cells().count()), (Some(1), 2));
+    }
+    assert_eq!(Mesh::<2>::chain(&[v(0), v(1)]).canonical(|_| 0), [0, 0]);
+}
+
+#[test]
+fn parts_make_the_mesh_they_came_from() {
+    let mesh = simplex::<2>(2);
+    let copy = Mesh::from_parts(2, mesh.vertices.clone(), mesh.twins.clone());
+    assert_eq!(copy, mesh);
+}

@@ -10,6 +10,9 @@ use crate::Sites;
 /// Rounds end when no more than this many sites are left.
 const FIRST_ROUND: usize = 64;
 
+/// Points whose keys are found in step.
+const LANES: usize = 8;
+
 /// A bijective hash: one step of the SplitMix64 generator [SLF14]. Wherever an algorithm wants randomness it scatters
 /// something that is the input's own, so that every run is the same.
 #[must_use]
@@ -18,6 +21,15 @@ pub const fn scatter(value: u64) -> u64 {
     z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
     z ^ (z >> 31)
+}
+
+/// A number that orders like the coordinate, which is finite and not -0.0.
+#[inline]
+#[must_use]
+pub const fn sortable(coordinate: f64) -> u64 {
+    let bits = coordinate.to_bits();
+    // Doubles are sign and magnitude: negative ones are turned round, and put below.
+    if bits >> 63 == 0 { bits | 1 << 63 } else { !bits }
 }
 
 impl<const D: usize> Sites<D> {
@@ -38,14 +50,26 @@ impl<const D: usize> Sites<D> {
 
     fn order_by(&self, round: impl Fn(u64) -> u64) -> Vec<u32> {
         let curve = Curve::around(self.points());
-        let mut keyed: Vec<(u64, u64, u32)> = (0u64..)
-            .zip(self.sorted())
-            .map(|(rank, &site)| (round(rank), curve.key(&self.points()[site as usize]), site))
-            .collect();
-        // The sort is stable and starts from the lexicographic order: equal keys stay in it.
-        keyed.sort_by_key(|&(round, key, _)| (round, key));
-        keyed.into_iter().map(|(_, _, site)| site).collect()
+        // Round, place on the curve and rank in one number: equal places stay in lexicographic order.
+        let mut keyed: Vec<u128> = Vec::with_capacity(self.len());
+        let mut ranks = 0u32..;
+        for sites in self.sorted().chunks(LANES) {
+            let at = |lane: usize| self.points()[sites[lane.min(sites.len() - 1)] as usize];
+            let keys = curve.keys::<LANES>(&std::array::from_fn(at));
+            keyed.extend(ranks.by_ref().zip(&keys[..sites.len()]).map(|(rank, &key)| {
+                let round = round(u64::from(rank));
+                u128::from(round) << 96 | u128::from(key) << 32 | u128::from(rank)
+            }));
+        }
+        keyed.sort_unstable();
+        keyed.into_iter().map(|item| self.sorted()[low_half(item) as usize]).collect()
     }
+}
+
+/// The last 32 bits.
+#[expect(clippy::cast_possible_truncation, reason = "that is what is wanted")]
+pub(crate) const fn low_half(value: u128) -> u32 {
+    value as u32
 }
 
 /// Hilbert's curve on a grid around some points.
@@ -64,7 +88,8 @@ impl<const D: usize> Curve<D> {
         3 => 21,
         4 => 15,
         5 => 12,
-        _ => 9,
+        6 | 7 => 9,
+        _ => 8,
     };
 
     /// The curve through the smallest cube at the low corner of the points' bounding box that holds them.
@@ -86,50 +111,89 @@ impl<const D: usize> Curve<D> {
 
     /// The place of a point along the curve.
     #[must_use]
+    pub fn key(&self, point: &[f64; D]) -> u64 {
+        let [key] = self.keys(&[*point]);
+        key
+    }
+
+    /// The places of several points: they are found in step, since each is one long chain of dependent operations.
+    #[must_use]
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
         reason = "the float is between 0 and 2^BITS - 1, and casts saturate"
     )]
-    pub fn key(&self, point: &[f64; D]) -> u64 {
+    pub fn keys<const N: usize>(&self, points: &[[f64; D]; N]) -> [u64; N] {
         let top = f64::from(u32::MAX >> (32 - Self::BITS));
-        let mut x: [u32; D] = std::array::from_fn(|axis| {
-            let offset = point[axis] * self.scale - self.low[axis] * self.scale;
-            if self.extent > 0.0 { (offset / self.extent * top) as u32 } else { 0 }
-        });
+        let mut x = [[0; N]; D];
+        for (axis, lanes) in x.iter_mut().enumerate() {
+            for (coordinate, point) in lanes.iter_mut().zip(points) {
+                let offset = point[axis] * self.scale - self.low[axis] * self.scale;
+                *coordinate =
+                    if self.extent > 0.0 { (offset / self.extent * top) as u32 } else { 0 };
+            }
+        }
         transpose(&mut x, Self::BITS);
+        std::array::from_fn(|lane| Self::interleave(x.map(|lanes| lanes[lane])))
+    }
+
+    /// The bits of the coordinates by turns, the highest of the first one first.
+    fn interleave(x: [u32; D]) -> u64 {
         let mut key = 0;
-        for bit in (0..Self::BITS).rev() {
-            for coordinate in x {
-                key = key << 1 | u64::from(coordinate >> bit & 1);
+        for byte in (0..Self::BITS.div_ceil(8)).rev() {
+            if key != 0 {
+                key <<= 8 * D;
+            }
+            for (axis, coordinate) in x.iter().enumerate() {
+                let spread = Self::SPREAD[(coordinate >> (8 * byte) & 0xff) as usize];
+                key |= spread << (D - 1 - axis);
             }
         }
         key
     }
+
+    /// A byte's bits at every D-th place.
+    const SPREAD: [u64; 256] = {
+        let mut table = [0; 256];
+        let mut i = 0;
+        while i < 8 * table.len() {
+            let (byte, bit) = (i / 8, i % 8);
+            if bit * D < 64 {
+                table[byte] |= (byte as u64 >> bit & 1) << (bit * D);
+            }
+            i += 1;
+        }
+        table
+    };
 }
 
-/// Turns grid coordinates into the key's bits, axis by axis [Ski04].
-fn transpose<const D: usize>(x: &mut [u32; D], bits: u32) {
+/// Turns grid coordinates, of N points in step, into the key's bits, axis by axis [Ski04].
+fn transpose<const D: usize, const N: usize>(x: &mut [[u32; N]; D], bits: u32) {
     for bit in (1..bits).rev() {
-        let (q, p) = (1u32 << bit, (1u32 << bit) - 1);
+        let below = (1u32 << bit) - 1;
         for axis in 0..D {
-            if x[axis] & q != 0 {
-                x[0] ^= p;
-            } else {
-                let t = (x[0] ^ x[axis]) & p;
-                x[0] ^= t;
-                x[axis] ^= t;
+            let (mut first, mut other) = (x[0], x[axis]);
+            for (first, other) in first.iter_mut().zip(&mut other) {
+                // If the bit is set, invert what is below it on the first axis; else exchange that with this axis.
+                let set = (*other >> bit & 1).wrapping_neg() & below;
+                let exchange = (*first ^ *other) & below & !set;
+                *first ^= exchange | set;
+                *other ^= exchange;
             }
+            (x[axis], x[0]) = (other, first); // in this order: they may be one
         }
     }
-    for axis in 1..D {
-        x[axis] ^= x[axis - 1];
-    }
-    let mut t = 0;
-    for bit in (1..bits).rev() {
-        if x[D - 1] & 1 << bit != 0 {
-            t ^= (1 << bit) - 1;
+    for lane in 0..N {
+        for axis in 1..D {
+            x[axis][lane] ^= x[axis - 1][lane];
+        }
+        // Each bit becomes the parity of those above it.
+        let mut parity = x[D - 1][lane] >> 1;
+        for shift in [1, 2, 4, 8, 16] {
+            parity ^= parity >> shift;
+        }
+        for coordinates in &mut *x {
+            coordinates[lane] ^= parity;
         }
     }
-    x.iter_mut().for_each(|coordinate| *coordinate ^= t);
 }

@@ -1,7 +1,8 @@
 //! Sites: input points, checked once, each position once.
 
-use std::cmp::Ordering;
 use std::fmt;
+
+use crate::order::{low_half, sortable};
 
 /// Distinct finite points of R^D, in the order in which they first came.
 ///
@@ -62,12 +63,6 @@ impl fmt::Display for SitesError {
 
 impl std::error::Error for SitesError {}
 
-/// Lexicographic order of finite points.
-#[inline]
-pub(crate) fn lexicographic<const D: usize>(a: &[f64; D], b: &[f64; D]) -> Ordering {
-    a.partial_cmp(b).expect("sites are finite")
-}
-
 impl<const D: usize> Sites<D> {
     /// Checks and takes the points. O(n log n).
     ///
@@ -83,10 +78,13 @@ impl<const D: usize> Sites<D> {
             return Err(SitesError::NotFinite(bad));
         }
         let points: Vec<[f64; D]> = points.iter().map(|p| p.map(|c| c + 0.0)).collect();
-        let mut sorted: Vec<u32> = (0..count).collect();
-        sorted.sort_unstable_by(|&i, &j| {
-            lexicographic(&points[i as usize], &points[j as usize]).then(i.cmp(&j))
-        });
+        let mut items: Vec<u128> = (0..count).map(u128::from).collect();
+        let distinct = sort_along(0, &points, &mut items);
+        let sorted: Vec<u32> = items.into_iter().map(low_half).collect();
+        if distinct {
+            let all: Vec<u32> = (0..count).collect();
+            return Ok(Self { points, site_of: all.clone(), input_of: all, sorted });
+        }
         Ok(Self::merged(&points, sorted))
     }
 
@@ -167,6 +165,24 @@ impl<const D: usize> Sites<D> {
         }
         ranks
     }
+}
+
+/// Sorts points that agree on the axes before `axis`, given by index, by those from it on; equal ones by index. Whether
+/// no two are equal. The items carry the coordinate in their upper part, as a number that orders like it.
+fn sort_along<const D: usize>(axis: usize, points: &[[f64; D]], items: &mut [u128]) -> bool {
+    if axis == D {
+        return items.len() < 2; // what is left is in order of index
+    }
+    for item in &mut *items {
+        let index = low_half(*item);
+        *item = u128::from(sortable(points[index as usize][axis])) << 32 | u128::from(index);
+    }
+    items.sort_unstable();
+    let mut distinct = true;
+    for run in items.chunk_by_mut(|a, b| *a >> 32 == *b >> 32).filter(|run| run.len() > 1) {
+        distinct &= sort_along(axis + 1, points, run);
+    }
+    distinct
 }
 
 fn not_finite<const D: usize>(points: &[[f64; D]]) -> Vec<NotFinite> {

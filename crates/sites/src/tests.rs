@@ -189,3 +189,26 @@ fn a_fan_of_many_segments_is_quick() {
     let pslg = Pslg::new(&points, &segments).unwrap();
     assert!(pslg.subsegments().len() >= 19_000);
 }
+
+#[test]
+fn sites_are_sorted_as_coordinates_compare() {
+    let values =
+        [f64::MIN, -2.0, -1.0, -f64::MIN_POSITIVE, -5e-324, 0.0, 5e-324, 1.0, 1.5, 2.0, f64::MAX];
+    assert!(values.is_sorted_by_key(|&value| sortable(value)));
+    // Every triple of them, scattered, each twice.
+    let mut points: Vec<[f64; 3]> = values
+        .iter()
+        .flat_map(|&x| values.map(|y| values.map(|z| [x, y, z])).into_iter().flatten())
+        .collect();
+    points
+        .sort_by_key(|point| scatter(point.iter().fold(0, |hash, c| scatter(hash ^ c.to_bits()))));
+    let distinct = Sites::new(&points).unwrap();
+    points.extend_from_within(..);
+    let sites = Sites::new(&points).unwrap();
+    assert_eq!((sites.len(), sites.duplicate_count()), (1331, 1331));
+    assert_eq!((distinct.len(), distinct.sorted()), (1331, sites.sorted()));
+    let sorted: Vec<[f64; 3]> =
+        sites.sorted().iter().map(|&site| sites.points()[site as usize]).collect();
+    assert!(sorted.is_sorted());
+    assert!((0..1331u32).eq(sites.site_of()[1331..].iter().copied()));
+}

@@ -1,0 +1,90 @@
+//! Times the algorithms of the plane: nanoseconds a site, the median of several runs and the best one, by the clock on
+//! the wall and, where Linux tells it, on the processor. (That of the main thread alone: it says nothing where others
+//! work for it.)
+//!
+//! ```sh
+//! cargo run --release -p delone-delaunay --example time_delaunay -- \
+//!     [--algorithms a,b] [--workloads uniform,grid] [--sizes 10000,1000000] [--threads 1,2] [--runs 5]
+//! ```
+//! The peak of memory is that of the program so far, with what came before: run one case alone to know its own.
+//! The last column hashes the cells: it must be one for all algorithms and numbers of threads.
+#![expect(clippy::print_stdout, clippy::disallowed_methods, reason = "it prints times")]
+
+use std::num::NonZeroUsize;
+use std::time::Instant;
+
+use delone_delaunay::{Options, algorithms};
+use delone_sites::Sites;
+use delone_workloads::{Points, generate};
+
+fn main() {
+    let words: Vec<String> = std::env::args().skip(1).collect();
+    let list = |name: &str, default: &str| -> Vec<String> {
+        let given = words.iter().skip_while(|word| *word != name).nth(1);
+        given.map_or(default, |text| text).split(',').map(str::to_owned).collect()
+    };
+    let numbers = |name: &str, default: &str| -> Vec<usize> {
+        list(name, default).iter().map(|text| text.parse().expect("a number")).collect()
+    };
+    let names = list("--algorithms", "bowyer-watson,divide-conquer");
+    let runs = numbers("--runs", "5")[0];
+    for workload in list("--workloads", "uniform,gauss,clusters,grid,circle") {
+        for n in numbers("--sizes", "10000,100000,1000000") {
+            let input = generate(&workload, n, 1).expect("a workload");
+            let Points::Plane(points) = input.points else { panic!("{workload} is not planar") };
+            let (take, sites) = median(runs, n, || Sites::new(&points).expect("finite points"));
+            println!("{workload:10} {:8} {:16} {take}", sites.len(), "Sites::new");
+            for algorithm in algorithms::<2>().iter().filter(|a| names.iter().any(|n| n == a.name))
+            {
+                for threads in numbers("--threads", "1,2") {
+                    let threads = NonZeroUsize::new(threads).expect("a thread");
+                    let options = Options { threads, ..Options::default() };
+                    let (take, result) = median(runs, n, || (algorithm.run)(&sites, &options));
+                    let peak = peak();
+                    let hash = result.fingerprint(&sites);
+                    println!(
+                        "{workload:10} {:8} {:16} {take}  threads {threads}  peak {peak}  {hash}",
+                        sites.len(),
+                        algorithm.name,
+                    );
+                    if algorithm.name != "divide-conquer" {
+                        break; // it has no use for threads
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// The median times of `runs` runs, in nanoseconds for each of `count`, and the last result.
+fn median<T>(runs: usize, count: usize, mut run: impl FnMut() -> T) -> (String, T) {
+    let (mut wall, mut processor) = (Vec::new(), Vec::new());
+    let count = f64::from(u32::try_from(count).expect("sites have ids of 32 bits"));
+    loop {
+        let (start, busy) = (Instant::now(), on_processor());
+        let result = run();
+        processor.push((on_processor() - busy) / count);
+        wall.push(start.elapsed().as_secs_f64() * 1e9 / count);
+        if wall.len() >= runs {
+            wall.sort_by(f64::total_cmp);
+            processor.sort_by(f64::total_cmp);
+            let (middle, best) = (wall[runs / 2], wall[0]);
+            let cpu = processor[runs / 2];
+            let text = format!("wall {middle:5.0} ns (best {best:5.0})  cpu {cpu:5.0} ns");
+            return (text, result);
+        }
+    }
+}
+
+/// The most memory that the program has held so far, points and sites included.
+fn peak() -> String {
+    let text = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let line = text.lines().find_map(|line| line.strip_prefix("VmHWM:"));
+    line.map_or_else(String::new, |size| size.trim().to_owned())
+}
+
+/// Nanoseconds that the main thread has spent on a processor; 0 if the system does not tell.
+fn on_processor() -> f64 {
+    let text = std::fs::read_to_string("/proc/self/schedstat").unwrap_or_default();
+    text.split(' ').next().and_then(|word| word.parse().ok()).unwrap_or(0.0)
+}
