@@ -24,7 +24,7 @@ use crate::kernel::{Id, Kernel};
 use crate::{Side, Sign};
 
 /// The most vertices a simplex can have.
-const VERTICES_MAX: usize = crate::determinant::AXES_MAX + 1;
+const VERTICES_MAX: usize = crate::exact::AXES_MAX + 1;
 
 /// The side of `q`, cospherical with `simplex`, whose `orientation` on `axes` is not zero.
 #[cold]
