@@ -1,6 +1,6 @@
 //! Points on which predicates go wrong: the generators of the soak, and one round of it.
 
-use delone_predicates::{Adaptive, Exact, Kernel, PlaneKernel, Sign};
+use delone_predicates::{Adaptive, Exact, Kernel, PlaneKernel, Sign, Weighted};
 
 use crate::oracle;
 use crate::random::{Random, power_of_two};
@@ -172,6 +172,30 @@ pub fn round<const D: usize, const N: usize>(random: &mut Random, tally: &mut Ta
     for (sign, predicate, parity) in answers {
         judge(tally, sign, expected[predicate] * parity, &points);
     }
+}
+
+/// Power tests of one tuple of weighted points, against the oracle. Half of the weights are such that the query is
+/// orthogonal, as nearly as doubles can say.
+pub fn round_of_power<const D: usize, const N: usize>(random: &mut Random, tally: &mut Tally) {
+    let points: [[f64; D]; N] = points(random);
+    let [weights]: [[f64; N]; 1] = crate::adversary::points(random);
+    let near = random.once_in(2);
+    let square = |p: &[f64; D]| p.iter().map(|x| x * x).sum::<f64>();
+    let weights: [f64; N] = std::array::from_fn(|i| {
+        let square = square(&points[i]);
+        if near && square.is_finite() { square } else { weights[i] }
+    });
+    let expected = oracle::power(&points, &weights);
+    tally.zeros += u64::from(expected == 0);
+    let ids: [usize; N] = std::array::from_fn(|i| i);
+    let (simplex, q) = (&ids[..=D], D + 1);
+    let kernel = Weighted::new(points, weights);
+    judge(tally, kernel.lifted(simplex, q), expected, &points);
+    let all: [usize; D] = std::array::from_fn(|axis| axis);
+    judge(tally, kernel.lifted_on(&all, simplex, q), expected, &points);
+    let mut swapped = ids;
+    swapped.swap(0, D);
+    judge(tally, kernel.lifted(&swapped[..=D], q), -expected, &points);
 }
 
 /// Cross products of four points in the plane, against the oracle.

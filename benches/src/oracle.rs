@@ -88,10 +88,28 @@ pub fn in_sphere<const D: usize>(points: &[[f64; D]]) -> i8 {
     if D % 2 == 1 { -sign } else { sign }
 }
 
+/// As [`in_sphere`] with weights: the homogeneous determinant of heights |p|^2 - weight.
+///
+/// # Panics
+/// If a number is not finite.
+#[must_use]
+pub fn power<const D: usize>(points: &[[f64; D]], weights: &[f64]) -> i8 {
+    let rational = |x: f64| Rational::from_f64(x).expect("finite");
+    let row = |(point, &weight): (&[f64; D], &f64)| {
+        let point = point.map(rational);
+        let squares: Rational = point.iter().map(|x| Rational::from(x * x)).sum();
+        let mut row = vec![Rational::from(1)];
+        row.extend(point);
+        row.push(squares - rational(weight));
+        row
+    };
+    -eliminated(points.iter().zip(weights).map(row).collect())
+}
+
 /// As [`orient`] or, if `lifted`, as [`in_sphere`]: the homogeneous determinant, by Gauss over rationals.
 #[must_use]
 pub fn by_elimination<const D: usize>(points: &[[f64; D]], lifted: bool) -> i8 {
-    let mut rows: Vec<Vec<Rational>> = integers(points)
+    let rows: Vec<Vec<Rational>> = integers(points)
         .into_iter()
         .map(|p| {
             let height: Integer = p.iter().map(|x| Integer::from(x * x)).sum();
@@ -103,6 +121,11 @@ pub fn by_elimination<const D: usize>(points: &[[f64; D]], lifted: bool) -> i8 {
             row
         })
         .collect();
+    if lifted { -eliminated(rows) } else { eliminated(rows) } // positive is outside: the height is the last column
+}
+
+/// The sign of a determinant, by Gauss.
+fn eliminated(mut rows: Vec<Vec<Rational>>) -> i8 {
     let n = rows.len();
     let mut sign = 1;
     for column in 0..n {
@@ -125,7 +148,7 @@ pub fn by_elimination<const D: usize>(points: &[[f64; D]], lifted: bool) -> i8 {
             }
         }
     }
-    if lifted { -sign } else { sign } // 1, p, h: the height is the last column; positive is outside
+    sign
 }
 
 /// The sign of `(b - a) x (d - c)`.

@@ -1,6 +1,6 @@
 //! A small soak in every test run, and the oracle against its second formulation.
 
-use delone_benches::adversary::{Tally, points, round, round_of_cross};
+use delone_benches::adversary::{Tally, points, round, round_of_cross, round_of_power};
 use delone_benches::oracle;
 use delone_benches::predicates::{Input, Predicate, contestants, tuples};
 use delone_benches::random::Random;
@@ -26,6 +26,13 @@ fn predicates_agree_with_the_oracle() {
 #[test]
 fn cross_products_agree_with_the_oracle() {
     soak(18, 4000, round_of_cross);
+}
+
+#[test]
+fn power_tests_agree_with_the_oracle() {
+    soak(20, 400, round_of_power::<2, 4>);
+    soak(21, 400, round_of_power::<3, 5>);
+    soak(22, 40, round_of_power::<4, 6>);
 }
 
 #[test]

@@ -4,7 +4,7 @@
 
 use std::time::Instant;
 
-use delone_benches::predicates::{Input, Predicate, contestants, tuples};
+use delone_benches::predicates::{Cgal, Input, Predicate, contestants, tuples};
 
 const CALLS: usize = 4000;
 
@@ -13,13 +13,15 @@ fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let rounds = arguments.first().and_then(|text| text.parse().ok()).unwrap_or(21);
     let part = arguments.get(1).map_or("", String::as_str);
+    let cgal = Cgal::build();
     for predicate in Predicate::ALL {
         for input in Input::ALL {
             let cell = format!("{} {input:?}", predicate.name());
             if !cell.contains(part) {
                 continue;
             }
-            let contestants = contestants(predicate, &tuples(predicate, input, CALLS));
+            let tuples = tuples(predicate, input, CALLS);
+            let contestants = contestants(predicate, &tuples);
             let mut nanoseconds = vec![Vec::new(); contestants.len()];
             let mut tallies = vec![[0, 0]; contestants.len()];
             for _ in 0..rounds {
@@ -41,6 +43,11 @@ fn main() {
                     " | {}: {median:.1} ({low:.1}..{high:.1}){wrong}",
                     contestants[i].name
                 );
+            }
+            let peer = cgal.as_ref().and_then(|cgal| cgal.run(predicate, &tuples, rounds));
+            if let Some((median, tally)) = peer {
+                let wrong = if tally == tallies[1] { "" } else { " (x)" };
+                row += &format!(" | CGAL: {median:.1}{wrong}");
             }
             println!("{row} |");
         }

@@ -2,7 +2,7 @@
 //!
 //! Arguments: the number of calls (default 1,000,000), a seed (default 1). Ends with 1 if a sign was wrong.
 
-use delone_benches::adversary::{Tally, round, round_of_cross};
+use delone_benches::adversary::{Tally, round, round_of_cross, round_of_power};
 use delone_benches::random::Random;
 
 /// Rounds of one task.
@@ -12,7 +12,7 @@ const ROUNDS: usize = 10_000;
 type Task = (&'static str, fn(&mut Random, &mut Tally), usize);
 
 /// What is soaked, and how often in comparison: the oracle is slow in many dimensions.
-const TASKS: [Task; 7] = [
+const TASKS: [Task; 10] = [
     ("plane", round::<2, 4>, 1),
     ("space", round::<3, 5>, 1),
     ("cross", round_of_cross, 1),
@@ -20,6 +20,9 @@ const TASKS: [Task; 7] = [
     ("4 axes", round::<4, 6>, 20),
     ("5 axes", round::<5, 7>, 200),
     ("7 axes", round::<7, 9>, 10_000),
+    ("power 2", round_of_power::<2, 4>, 10),
+    ("power 3", round_of_power::<3, 5>, 10),
+    ("power 4", round_of_power::<4, 6>, 50),
 ];
 
 #[expect(clippy::print_stdout, reason = "a program that reports")]

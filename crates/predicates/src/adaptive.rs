@@ -36,6 +36,19 @@ impl<P> Adaptive<P> {
         Self { bounds: Bounds::of(points.as_ref()), points }
     }
 
+    /// Calls `answer` with the points of `simplex` and then, if given, `q`.
+    pub(crate) fn with<const D: usize, V: Id, A>(
+        &self,
+        simplex: &[V],
+        q: Option<V>,
+        answer: impl FnOnce(&[&[f64; D]]) -> A,
+    ) -> A
+    where
+        P: AsRef<[[f64; D]]>,
+    {
+        with_points(&self.points, simplex, q, answer)
+    }
+
     /// A kernel over these points without static filters, made without a look at them: for a few calls on many points.
     pub const fn dynamic(points: P) -> Self {
         Self { points, bounds: Bounds::NONE }

@@ -15,6 +15,7 @@
 //! |---|---|
 //! | a few points | the free functions [`orient2d`], [`orient3d`], [`in_circle`], [`in_sphere`], [`orient`] |
 //! | many points with ids, an algorithm to write | [`Kernel`], with [`Adaptive`] |
+//! | sites with weights, for regular triangulations | [`Weighted`] |
 //! | doubts about a filter | [`Exact`], the same answers without filters |
 //! | an opponent to compare with | [`RobustCrate`] (expansions), [`Naive`] (plain doubles) |
 //! | to know what is asked, and which stage answers | [`Counting`] around any kernel |
@@ -45,6 +46,7 @@ mod projected;
 mod robust_crate;
 mod sign;
 mod stage;
+mod weighted;
 
 pub use adaptive::{Adaptive, Exact};
 pub use checked::Checked;
@@ -55,6 +57,7 @@ pub use projected::Projected;
 pub use robust_crate::RobustCrate;
 pub use sign::{Side, Sign};
 pub use stage::Stage;
+pub use weighted::Weighted;
 
 /// The largest dimension that predicates go to.
 pub const DIMENSION_MAX: usize = exact::AXES_MAX;

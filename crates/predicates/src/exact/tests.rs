@@ -34,6 +34,9 @@ fn all_tiers_agree_in_space() {
         zeros += usize::from(sphere == Sign::Zero);
         assert_eq!(general::orient_in_all_tiers(&slices[..4], &[0, 1, 2]), [orientation; 4]);
         assert_eq!(general::lifted_in_all_tiers(&slices, &[0, 1, 2], None), [sphere; 4]);
+        let weights: [f64; 5] = std::array::from_fn(|_| stream(&mut seed, 9) * 0.125);
+        let [first, rest @ ..] = general::lifted_in_all_tiers(&slices, &[0, 1, 2], Some(&weights));
+        assert_eq!(rest, [first; 3]);
         let far = translated(narrow, 1024.0);
         let [a, b, c, d, e] = &far;
         assert_eq!(orient3d(a, b, c, d).0, orientation);

@@ -114,3 +114,72 @@ fn static_bounds_are_off_where_they_would_overflow() {
     let none = Adaptive::new(Vec::<[f64; 3]>::new());
     let _ = none.reordered(&[]);
 }
+
+/// Power tests of a grid with small weights against real, tiny heights, by an integer determinant.
+#[test]
+fn power_ties_equal_explicit_infinitesimals() {
+    let grid: Vec<[f64; 2]> = (0..9).map(|i| [f64::from(i / 3), f64::from(i % 3)]).collect();
+    let weights = [0.0, 1.0, 0.0, 0.0, 2.0, -1.0, 1.0, 0.0, -3.0];
+    let kernel = Weighted::new(&grid, weights);
+    let height = |i: usize| {
+        let [x, y] = grid[i].map(|x| x as i128);
+        ((x * x + y * y - weights[i] as i128) << 100) + (1i128 << (10 * i))
+    };
+    let row = |i: usize, q: usize| {
+        [
+            (grid[i][0] - grid[q][0]) as i128,
+            (grid[i][1] - grid[q][1]) as i128,
+            height(i) - height(q),
+        ]
+    };
+    let mut ties = 0;
+    for_each_call(9, &mut |&[a, b, c, _], q| {
+        if kernel.orient(&[a, b, c]) != Sign::Positive {
+            return;
+        }
+        let [u, v, w] = [row(a, q), row(b, q), row(c, q)];
+        let det = u[2] * (v[0] * w[1] - v[1] * w[0]) - v[2] * (u[0] * w[1] - u[1] * w[0])
+            + w[2] * (u[0] * v[1] - u[1] * v[0]);
+        ties += usize::from(kernel.lifted(&[a, b, c], q) == Sign::Zero);
+        assert_eq!(kernel.in_sphere(&[a, b, c], q).is_inside(), det > 0, "{a} {b} {c} {q}");
+    });
+    assert!(ties > 100, "{ties}");
+}
+
+#[test]
+fn equal_weights_change_nothing() {
+    let space = cube();
+    let plain = Adaptive::new(&space);
+    for weight in [0.0, -3.5, 1e300, 5e-324] {
+        let kernel = Weighted::new(&space, vec![weight; space.len()]);
+        for_each_call(space.len(), &mut |simplex, q| {
+            if simplex[0] < simplex[1] && simplex[1] < simplex[2] {
+                assert_eq!(kernel.lifted(simplex, q), plain.lifted(simplex, q));
+                assert_eq!(
+                    kernel.compare_lexicographic(simplex[3], q),
+                    plain.compare_lexicographic(simplex[3], q)
+                );
+                let four = [simplex[0], simplex[1], simplex[2], q];
+                if plain.orient(&four) == Sign::Zero {
+                    let lifted = plain.lifted_on(&[0, 1], &simplex[..3], q);
+                    assert_eq!(kernel.lifted_on(&[0, 1], &simplex[..3], q), lifted);
+                }
+            }
+        });
+    }
+}
+
+#[test]
+fn equal_positions_are_ranked_by_weight() {
+    let kernel = Weighted::new([[1.0, 1.0], [1.0, 1.0], [0.0, 2.0]], vec![1.0, 2.0, 9.0]);
+    assert_eq!(kernel.compare_lexicographic(0usize, 1), Ordering::Less);
+    assert_eq!(kernel.compare_lexicographic(0usize, 2), Ordering::Greater);
+    let reordered = kernel.reordered(&[1, 0, 2]);
+    assert_eq!(reordered.compare_lexicographic(0usize, 1), Ordering::Greater);
+}
+
+#[test]
+#[should_panic(expected = "2 sites have 1 weights")]
+fn weights_must_be_as_many_as_sites() {
+    let _ = Weighted::new([[0.0], [1.0]], [1.0]);
+}
