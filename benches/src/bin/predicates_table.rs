@@ -1,4 +1,5 @@
-//! The table of the predicates: contestants of a cell take turns, round by round; medians, and the spread of the rounds.
+//! The table of the predicates: contestants of a cell take turns, round by round; medians, and the
+//! second quickest round and the upper quartile. CGAL runs after them, alone: its branches are learnt.
 //!
 //! Arguments: the number of rounds (default 21), a part of a cell's name (default all), such as `in_circle N`.
 
@@ -45,9 +46,9 @@ fn main() {
                 );
             }
             let peer = cgal.as_ref().and_then(|cgal| cgal.run(predicate, &tuples, rounds));
-            if let Some((median, tally)) = peer {
+            if let Some(([low, median], tally)) = peer {
                 let wrong = if tally == tallies[1] { "" } else { " (x)" };
-                row += &format!(" | CGAL: {median:.1}{wrong}");
+                row += &format!(" | CGAL: {median:.1} ({low:.1}..){wrong}");
             }
             println!("{row} |");
         }

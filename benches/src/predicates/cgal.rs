@@ -30,14 +30,14 @@ impl Cgal {
         Some(Self { binary })
     }
 
-    /// The median nanoseconds of a call, and the numbers of positive and negative signs.
+    /// The nanoseconds of a call in the second quickest round and in the median, and the numbers of positive and negative signs.
     #[must_use]
     pub fn run(
         &self,
         predicate: Predicate,
         tuples: &[[f64; 3]],
         rounds: usize,
-    ) -> Option<(f64, [usize; 2])> {
+    ) -> Option<([f64; 2], [usize; 2])> {
         let path = self.binary.with_extension("calls");
         let mut file = std::io::BufWriter::new(std::fs::File::create(&path).ok()?);
         tuples.iter().flatten().try_for_each(|x| file.write_all(&x.to_ne_bytes())).ok()?;
@@ -46,7 +46,7 @@ impl Cgal {
         command.arg(predicate.name()).arg(&path).arg(rounds.to_string());
         let output = String::from_utf8(command.output().ok()?.stdout).ok()?;
         let mut words = output.split_whitespace();
-        let nanoseconds = words.next()?.parse().ok()?;
+        let nanoseconds = [words.next()?.parse().ok()?, words.next()?.parse().ok()?];
         let [positive, negative] = [words.next()?.parse().ok()?, words.next()?.parse().ok()?];
         Some((nanoseconds, [positive, negative]))
     }

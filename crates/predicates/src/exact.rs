@@ -6,7 +6,7 @@
 //!
 //! | tier | differences | |
 //! |---|---|---|
-//! | machine words | b <= 62, 30, 30, 20 (orient2d, orient3d, in_circle, in_sphere) | `i64` and `i128` |
+//! | machine words | b <= 30, 30, 20 (orient3d, in_circle, in_sphere) | `i64` and `i128` |
 //! | one limb | b <= 62 | minors in 2 limbs, cofactors in 3, heights in 2, up to 5 |
 //! | two limbs, four limbs | b <= 126, b <= 254 | the same formulas, 2 and 4 times as wide |
 //! | long sums | any | no differences: sums of monomials ([`long`]) |
@@ -23,7 +23,7 @@
 //! 2^(320 L - 2): each fits into its 2 L, 3 L, 2 L, 3 L, 4 L and 5 L limbs with a sign. Partial sums are sums of fewer of
 //! the same terms.
 //!
-//! Machine words, unweighted: orient2d is one `i128`, 2^(2*62+1). orient3d, b <= 30: minors 2^61 in `i64`, the sum
+//! Machine words, unweighted: orient2d in one limb is one `i128`, 2^(2*62+1). orient3d, b <= 30: minors 2^61 in `i64`, the sum
 //! 6 * 2^90 in `i128`. in_circle, b <= 30: heights 2 * 2^60 = minors 2^61 in `i64`, the sum 3 * 2^122 in `i128`.
 //! in_sphere, b <= 20: minors 2^41 and 6 * 2^60 < 2^63 in `i64`, the sum in `i128`.
 //!

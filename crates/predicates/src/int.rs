@@ -51,6 +51,17 @@ impl<const N: usize> Int<N> {
     #[inline(always)]
     pub(crate) fn times<const B: usize, const R: usize>(&self, other: &Int<B>) -> Int<R> {
         const { assert!(R == N + B, "the product of N and B limbs has N + B") };
+        if N * B > 8 { self.times_called(other) } else { self.times_inlined(other) }
+    }
+
+    /// Of many limbs: a call costs less than the code of all its copies.
+    #[inline(never)]
+    fn times_called<const B: usize, const R: usize>(&self, other: &Int<B>) -> Int<R> {
+        self.times_inlined(other)
+    }
+
+    #[inline(always)]
+    fn times_inlined<const B: usize, const R: usize>(&self, other: &Int<B>) -> Int<R> {
         let mut product = [0u64; R];
         if N == 1 && B == 1 {
             let (a, b) = (self.0[0].cast_signed(), other.0[0].cast_signed());

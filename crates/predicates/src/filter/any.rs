@@ -12,7 +12,7 @@
 //! below rho u (1 + 4 rho u) < (rho + 1/2) u, and the constant (rho + 1) u leaves room for its own product.
 //!
 //! **Underflow.** The j products of a sum lose at most j 2^-1075 <= 2^-1072 together, a height of seven squares no more.
-//! Each magnitude sum has the guard 2^-1020 (`filter.rs`); times (rho + 1) u >= 16 * 2^-53 that is 2^-1069.
+//! Each magnitude sum has the guard 2^-1020 (`filter.rs`); times (rho + 1) u >= 8 * 2^-53 that is 2^-1070.
 
 use super::{Certain, GUARD, U};
 use crate::exact::AXES_MAX;
