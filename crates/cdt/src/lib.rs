@@ -16,9 +16,9 @@
 //!
 //! | module | paper | time | when |
 //! |---|---|---|---|
-//! | [`chew()`] | [Che89] | O(n log n), whatever the segments | long segments that cross everything |
-//! | [`cavity()`] | [SB15] | Delaunay, then expected O(1) for each edge crossed | short segments, as on maps |
-//! | [`insert_segments`] | [SB15] | the second half of it | your own kernel or Delaunay mesh |
+//! | [`chew()`] | \[Che89\] | O(n log n), whatever the segments | long segments that cross everything |
+//! | [`cavity()`] | \[SB15\] | Delaunay, then expected O(1) for each edge crossed | short segments, as on maps |
+//! | [`insert_segments`] | \[SB15\] | the second half of it | your own kernel or Delaunay mesh |
 //!
 //! # Contract
 //!

@@ -15,8 +15,8 @@
 //! | module | paper | time | when |
 //! |---|---|---|---|
 //! | [`delaunay()`] | | | always, unless you compare algorithms |
-//! | [`divide_conquer()`] | [GS85], [Dwy87] | O(n log n) | the plane: the fastest, and on several threads |
-//! | [`bowyer_watson()`] | [Bow81], [Wat81] | expected O(n log n) in the plane | any dimension, your own kernel |
+//! | [`divide_conquer()`] | \[GS85\], \[Dwy87\] | O(n log n) | the plane: the fastest, and on several threads |
+//! | [`bowyer_watson()`] | \[Bow81\], \[Wat81\] | expected O(n log n) in the plane | any dimension, your own kernel |
 //! | [`naive_delaunay`] | the definition | O(n^(D+2)) | to test the others |
 //!
 //! # Contract

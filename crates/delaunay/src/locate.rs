@@ -1,6 +1,6 @@
 //! Location by the remembering stochastic visibility walk.
 //!
-//! **Paper.** [DPT02]. From a cell, cross any facet that has the goal strictly beyond it, the facets being tried in a
+//! **Paper.** \[DPT02\]. From a cell, cross any facet that has the goal strictly beyond it, the facets being tried in a
 //! random order, all but the one just crossed. **In.** A Delaunay mesh of full dimension; a position `p`; a cell to start
 //! from. **Out.** The solid cell whose closure holds `p`, or a ghost cell with `p` strictly beyond its facet.
 //! **Cost.** O(n^(1/D)) steps on evenly spread sites from anywhere; O(1) from near by.
@@ -16,7 +16,7 @@ use delone_mesh::{CellId, FacetId, Mesh, VertexId};
 use delone_predicates::{Kernel, Sign};
 use delone_probe::{Event, Probe};
 
-/// A small deterministic generator for the order in which a walk tries facets (xorshift, [Mar03]).
+/// A small deterministic generator for the order in which a walk tries facets (xorshift, \[Mar03\]).
 #[derive(Clone, Copy, Debug)]
 pub struct Coin(u32);
 

@@ -1,22 +1,34 @@
 //! Floating-point filters: the sign when doubles suffice to know it, safe under underflow and overflow.
 //!
-//! **Design.** Each filter computes the determinant of differences in plain doubles, and beside it the *permanent*, the
+//! **Dynamic.** Each filter computes the determinant of differences in plain doubles, and beside it the *permanent*, the
 //! same expression with every product taken in magnitude. With u = 2^-53 the rounding error of the determinant is at
-//! most `A * permanent`, where A counts the roundings on the longest path ([She97] sections 4.2 to 4.4; A is rounded up
+//! most `A * permanent`, where A counts the roundings on the longest path (\[She97\] sections 4.2 to 4.4; A is rounded up
 //! there so that the bound itself may be computed in doubles).
+//!
+//! **Static.** Let X, Y, Z be the extents of the point set's box along the axes, `max - min` in doubles. Rounding is
+//! monotone, so every computed difference of coordinates is at most the computed extent in magnitude; and the permanent
+//! is made of sums and products of magnitudes, which computed in doubles are monotone in each argument. So the dynamic
+//! bound, computed with the extents in place of all differences, in the same order of operations, is at least the
+//! dynamic bound of any call: no new constant, no new proof. It is computed once for a point set. Calls that it does not
+//! decide go on to the dynamic filter.
 //!
 //! **Underflow.** A product that underflows loses at most 2^-1075 in magnitude, which no relative bound covers. So each
 //! inner magnitude gets a guard G = 2^-1020 added *before* it is scaled by its outer factor: A G >= 7 * 2^-53 * 2^-1020
 //! = 28 * 2^-1075, more than the two (or, in a squared length, three) products below it can lose. The guard of the last
 //! sum covers the outermost products and the rounding of `A * permanent` itself. Differences never underflow inexactly.
-//! For orient2d, where both products are outermost, [OBO16] prove the sharper form used here.
+//! For orient2d, where both products are outermost, \[OBO16\] prove the sharper form used here.
 //!
 //! **Overflow.** A difference or product that overflows makes the permanent infinite or NaN, and then no comparison
-//! below succeeds: uncertain.
+//! below succeeds: uncertain. An extent that overflows turns the static filter off in the same way.
+//!
+//! **More than three axes.** `filter/any.rs`.
 //!
 //! **Out.** `None` means uncertain, never "zero".
 
-use crate::Sign;
+pub(crate) mod any;
+pub(crate) mod value;
+
+use crate::{Sign, Stage};
 
 const U: f64 = f64::EPSILON / 2.0;
 const GUARD: f64 = 4.0 * f64::MIN_POSITIVE;
@@ -26,92 +38,137 @@ const ORIENT_3D: f64 = (7.0 + 56.0 * U) * U;
 const IN_CIRCLE: f64 = (10.0 + 96.0 * U) * U;
 const IN_SPHERE: f64 = (16.0 + 224.0 * U) * U;
 
-/// The sign of `value`, if its magnitude is over the error bound.
+/// A sign and the filter that is sure of it.
+pub(crate) type Certain = Option<(Sign, Stage)>;
+
+/// The bounds of the static filters of a point set; infinite where there is none.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Bounds {
+    /// Of orientations, and in the plane of cross products.
+    pub(crate) orient: f64,
+    /// Of lifted determinants.
+    pub(crate) lifted: f64,
+}
+
+impl Bounds {
+    /// For points about which nothing is known.
+    pub(crate) const NONE: Self = Self { orient: f64::INFINITY, lifted: f64::INFINITY };
+
+    /// For calls on these points.
+    pub(crate) fn of<const D: usize>(points: &[[f64; D]]) -> Self {
+        let (mut low, mut high) = ([f64::INFINITY; D], [f64::NEG_INFINITY; D]);
+        for point in points {
+            for axis in 0..D {
+                low[axis] = low[axis].min(point[axis]);
+                high[axis] = high[axis].max(point[axis]);
+            }
+        }
+        let extents: [f64; D] = std::array::from_fn(|axis| high[axis] - low[axis]);
+        match *extents.as_slice() {
+            _ if points.is_empty() => Self::NONE,
+            [x, y] => {
+                let minor = x * y + x * y + GUARD;
+                let height = x * x + y * y + GUARD;
+                Self {
+                    orient: orient_2d_bound(x * y + x * y),
+                    lifted: IN_CIRCLE * in_circle_permanent([height; 3], [minor; 3]),
+                }
+            }
+            [x, y, z] => {
+                let minor = x * y + x * y + GUARD;
+                let height = x * x + y * y + z * z + GUARD;
+                let cofactor = z * minor + z * minor + z * minor + GUARD;
+                Self {
+                    orient: ORIENT_3D * cofactor,
+                    lifted: IN_SPHERE * in_sphere_permanent([height; 4], [cofactor; 4]),
+                }
+            }
+            _ => Self::NONE,
+        }
+    }
+}
+
+/// The sign of `value`, if its magnitude is over one of its error bounds.
 #[inline(always)]
-fn certain(value: f64, bound: f64) -> Option<Sign> {
-    if value > bound {
-        Some(Sign::Positive)
-    } else if -value > bound {
-        Some(Sign::Negative)
+fn certain(value: f64, of_all: f64, of_call: impl FnOnce() -> f64) -> Certain {
+    let sign = if value > 0.0 { Sign::Positive } else { Sign::Negative };
+    if value.abs() > of_all {
+        Some((sign, Stage::StaticFilter))
+    } else if value.abs() > of_call() {
+        Some((sign, Stage::DynamicFilter))
     } else {
         None
     }
 }
 
-/// `|a d| + |b c|`, guarded, beside `a d - b c`.
+/// `|a d| + |b c|`, guarded.
 #[inline(always)]
-fn minor2(a: f64, b: f64, c: f64, d: f64) -> (f64, f64) {
-    let (left, right) = (a * d, b * c);
-    (left - right, left.abs() + right.abs() + GUARD)
+fn minor_magnitude([a, b]: [f64; 2], [c, d]: [f64; 2]) -> f64 {
+    (a * d).abs() + (b * c).abs() + GUARD
 }
 
 #[inline(always)]
-pub(crate) fn orient2d(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> Option<Sign> {
-    let left = (a[0] - c[0]) * (b[1] - c[1]);
-    let right = (a[1] - c[1]) * (b[0] - c[0]);
-    certain(left - right, ORIENT_2D * ((left + right).abs() + f64::MIN_POSITIVE))
+fn orient_2d_bound(sum: f64) -> f64 {
+    ORIENT_2D * (sum.abs() + f64::MIN_POSITIVE)
+}
+
+/// Of guarded heights and minors.
+#[inline(always)]
+fn in_circle_permanent(h: [f64; 3], m: [f64; 3]) -> f64 {
+    h[0] * m[0] + h[1] * m[1] + h[2] * m[2] + GUARD
+}
+
+/// Of guarded heights and cofactors.
+#[inline(always)]
+fn in_sphere_permanent(h: [f64; 4], c: [f64; 4]) -> f64 {
+    h[0] * c[0] + h[1] * c[1] + h[2] * c[2] + h[3] * c[3] + GUARD
+}
+
+#[inline(always)]
+pub(crate) fn orient2d(a: &[f64; 2], b: &[f64; 2], c: &[f64; 2], bound: f64) -> Certain {
+    let [left, right] = value::orient2d_products(a, b, c);
+    certain(left - right, bound, || orient_2d_bound(left + right))
 }
 
 /// The sign of `(b - a) x (d - c)`: the same roundings as in `orient2d`, one for each difference.
 #[inline(always)]
-pub(crate) fn cross([a, b, c, d]: [[f64; 2]; 4]) -> Option<Sign> {
-    let left = (b[0] - a[0]) * (d[1] - c[1]);
-    let right = (b[1] - a[1]) * (d[0] - c[0]);
-    certain(left - right, ORIENT_2D * ((left + right).abs() + f64::MIN_POSITIVE))
+pub(crate) fn cross(points: [&[f64; 2]; 4], bound: f64) -> Certain {
+    let [left, right] = value::cross_products(points);
+    certain(left - right, bound, || orient_2d_bound(left + right))
 }
 
 #[inline(always)]
-pub(crate) fn orient3d(a: [f64; 3], b: [f64; 3], c: [f64; 3], d: [f64; 3]) -> Option<Sign> {
-    let [p, q, r] = [a, b, c].map(|v| [v[0] - d[0], v[1] - d[1], v[2] - d[2]]);
-    let (qr, qr_mag) = minor2(q[0], q[1], r[0], r[1]);
-    let (rp, rp_mag) = minor2(r[0], r[1], p[0], p[1]);
-    let (pq, pq_mag) = minor2(p[0], p[1], q[0], q[1]);
-    let value = p[2] * qr + q[2] * rp + r[2] * pq;
-    let permanent = p[2].abs() * qr_mag + q[2].abs() * rp_mag + r[2].abs() * pq_mag + GUARD;
-    certain(value, ORIENT_3D * permanent).map(|sign| -sign) // the reference is the last point
+pub(crate) fn orient3d(points: [&[f64; 3]; 4], bound: f64) -> Certain {
+    certain(value::orient3d(points), bound, || {
+        let ([p, q, r], z) = value::orient3d_rows(points);
+        let permanent = z[0].abs() * minor_magnitude(q, r)
+            + z[1].abs() * minor_magnitude(r, p)
+            + z[2].abs() * minor_magnitude(p, q)
+            + GUARD;
+        ORIENT_3D * permanent
+    })
 }
 
 #[inline(always)]
-pub(crate) fn in_circle(a: [f64; 2], b: [f64; 2], c: [f64; 2], d: [f64; 2]) -> Option<Sign> {
-    let [p, q, r] = [a, b, c].map(|v| [v[0] - d[0], v[1] - d[1]]);
-    let [hp, hq, hr] = [p, q, r].map(|v| v[0] * v[0] + v[1] * v[1]);
-    let (qr, qr_mag) = minor2(q[0], q[1], r[0], r[1]);
-    let (rp, rp_mag) = minor2(r[0], r[1], p[0], p[1]);
-    let (pq, pq_mag) = minor2(p[0], p[1], q[0], q[1]);
-    let value = hp * qr + hq * rp + hr * pq;
-    let permanent = (hp + GUARD) * qr_mag + (hq + GUARD) * rp_mag + (hr + GUARD) * pq_mag + GUARD;
-    certain(value, IN_CIRCLE * permanent)
+pub(crate) fn in_circle(points: [&[f64; 2]; 4], bound: f64) -> Certain {
+    certain(value::in_circle(points), bound, || {
+        let ([p, q, r], h) = value::in_circle_rows(points);
+        let minors = [minor_magnitude(q, r), minor_magnitude(r, p), minor_magnitude(p, q)];
+        IN_CIRCLE * in_circle_permanent(h.map(|h| h + GUARD), minors)
+    })
 }
 
 #[inline(always)]
-pub(crate) fn in_sphere(
-    a: [f64; 3],
-    b: [f64; 3],
-    c: [f64; 3],
-    d: [f64; 3],
-    e: [f64; 3],
-) -> Option<Sign> {
-    let [p, q, r, s] = [a, b, c, d].map(|v| [v[0] - e[0], v[1] - e[1], v[2] - e[2]]);
-    let [hp, hq, hr, hs] = [p, q, r, s].map(|v| v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-    let (pq, pq_mag) = minor2(p[0], p[1], q[0], q[1]);
-    let (qr, qr_mag) = minor2(q[0], q[1], r[0], r[1]);
-    let (rs, rs_mag) = minor2(r[0], r[1], s[0], s[1]);
-    let (sp, sp_mag) = minor2(s[0], s[1], p[0], p[1]);
-    let (pr, pr_mag) = minor2(p[0], p[1], r[0], r[1]);
-    let (qs, qs_mag) = minor2(q[0], q[1], s[0], s[1]);
-    let (pz, qz, rz, sz) = (p[2], q[2], r[2], s[2]);
-    let pqr = pz * qr - qz * pr + rz * pq;
-    let qrs = qz * rs - rz * qs + sz * qr;
-    let rsp = rz * sp + sz * pr + pz * rs;
-    let spq = sz * pq + pz * qs + qz * sp;
-    let value = (hs * pqr - hr * spq) + (hq * rsp - hp * qrs);
-
-    let [pz, qz, rz, sz] = [pz, qz, rz, sz].map(f64::abs);
-    let pqr = pz * qr_mag + qz * pr_mag + rz * pq_mag + GUARD;
-    let qrs = qz * rs_mag + rz * qs_mag + sz * qr_mag + GUARD;
-    let rsp = rz * sp_mag + sz * pr_mag + pz * rs_mag + GUARD;
-    let spq = sz * pq_mag + pz * qs_mag + qz * sp_mag + GUARD;
-    let permanent =
-        (hs + GUARD) * pqr + (hr + GUARD) * spq + (hq + GUARD) * rsp + (hp + GUARD) * qrs + GUARD;
-    certain(value, IN_SPHERE * permanent).map(|sign| -sign) // see `determinant::lifted`
+pub(crate) fn in_sphere(points: [&[f64; 3]; 5], bound: f64) -> Certain {
+    certain(value::in_sphere(points), bound, || {
+        let ([p, q, r, s], z, h) = value::in_sphere_rows(points);
+        let [pz, qz, rz, sz] = z.map(f64::abs);
+        let (pq, qr, rs) = (minor_magnitude(p, q), minor_magnitude(q, r), minor_magnitude(r, s));
+        let (sp, pr, qs) = (minor_magnitude(s, p), minor_magnitude(p, r), minor_magnitude(q, s));
+        let pqr = pz * qr + qz * pr + rz * pq + GUARD;
+        let qrs = qz * rs + rz * qs + sz * qr + GUARD;
+        let rsp = rz * sp + sz * pr + pz * rs + GUARD;
+        let spq = sz * pq + pz * qs + qz * sp + GUARD;
+        IN_SPHERE * in_sphere_permanent(h.map(|h| h + GUARD), [qrs, rsp, spq, pqr])
+    })
 }

@@ -5,7 +5,7 @@
 
 use std::cmp::Ordering;
 
-use crate::{Side, Sign, perturb};
+use crate::{Side, Sign, Stage, perturb};
 
 /// A vertex id as kernels take it: anything small that turns into an index.
 pub trait Id: Copy + Eq {
@@ -57,6 +57,18 @@ pub trait Kernel<const D: usize> {
     #[inline]
     fn lifted<V: Id>(&self, simplex: &[V], q: V) -> Sign {
         self.lifted_on(&all_axes::<D>(), simplex, q)
+    }
+
+    /// [`Kernel::orient`], and the stage that answered.
+    #[inline]
+    fn orient_staged<V: Id>(&self, simplex: &[V]) -> (Sign, Stage) {
+        (self.orient(simplex), Stage::Untold)
+    }
+
+    /// [`Kernel::lifted`], and the stage that answered.
+    #[inline]
+    fn lifted_staged<V: Id>(&self, simplex: &[V], q: V) -> (Sign, Stage) {
+        (self.lifted(simplex, q), Stage::Untold)
     }
 
     /// The lexicographic order of two vertices; equal only for equal positions.

@@ -15,7 +15,11 @@
 //! |---|---|
 //! | a few points | the free functions [`orient2d`], [`orient3d`], [`in_circle`], [`in_sphere`], [`orient`] |
 //! | many points with ids, an algorithm to write | [`Kernel`], with [`Adaptive`] |
+//! | sites with weights, for regular triangulations | [`Weighted`] |
 //! | doubts about a filter | [`Exact`], the same answers without filters |
+//! | an opponent to compare with | [`RobustCrate`] (expansions), [`Naive`] (plain doubles) |
+//! | to know what is asked, and which stage answers | [`Counting`] around any kernel |
+//! | a kernel to watch | [`Checked`]: panics where another kernel answers otherwise |
 //! | points of R^D in a K-flat | [`Projected`] |
 //!
 //! # Contract
@@ -25,53 +29,68 @@
 //!
 //! # Inside
 //!
-//! `filter` (doubles, when they suffice), `determinant` over `int` (aligned integers, always right), [`perturb`] (ties).
+//! `filter` (doubles, when they suffice), `exact` over `int` (aligned integers, always right), [`perturb`] (ties).
 //!
 //! **Not here.** Validation of input: `delone-sites`.
 
 mod adaptive;
-mod determinant;
+mod checked;
+mod counting;
+mod exact;
 mod filter;
 mod int;
 mod kernel;
+mod naive;
 pub mod perturb;
 mod projected;
+mod robust_crate;
 mod sign;
+mod stage;
+mod weighted;
 
 pub use adaptive::{Adaptive, Exact};
+pub use checked::Checked;
+pub use counting::{Counting, Question, Tally};
 pub use kernel::{Id, Kernel, PlaneKernel, all_axes};
+pub use naive::Naive;
 pub use projected::Projected;
+pub use robust_crate::RobustCrate;
 pub use sign::{Side, Sign};
+pub use stage::Stage;
+pub use weighted::Weighted;
 
 /// The largest dimension that predicates go to.
-pub const DIMENSION_MAX: usize = determinant::AXES_MAX;
+pub const DIMENSION_MAX: usize = exact::AXES_MAX;
 
 /// Positive if `a`, `b`, `c` make a left turn.
 #[inline]
 #[must_use]
 pub fn orient2d(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> Sign {
-    orient(&[a, b, c])
+    filter::orient2d(&a, &b, &c, f64::INFINITY).unwrap_or_else(|| exact::orient2d(&a, &b, &c)).0
 }
 
 /// The sign of `det[b - a; c - a; d - a]`: positive for the origin and the three unit vectors in order.
 #[inline]
 #[must_use]
 pub fn orient3d(a: [f64; 3], b: [f64; 3], c: [f64; 3], d: [f64; 3]) -> Sign {
-    orient(&[a, b, c, d])
+    let certain = filter::orient3d([&a, &b, &c, &d], f64::INFINITY);
+    certain.unwrap_or_else(|| exact::orient3d(&a, &b, &c, &d)).0
 }
 
 /// Positive if `d` is strictly inside the circle through `a`, `b`, `c`, these being counter-clockwise.
 #[inline]
 #[must_use]
 pub fn in_circle(a: [f64; 2], b: [f64; 2], c: [f64; 2], d: [f64; 2]) -> Sign {
-    Adaptive::new([a, b, c, d]).lifted(&[0usize, 1, 2], 3)
+    let certain = filter::in_circle([&a, &b, &c, &d], f64::INFINITY);
+    certain.unwrap_or_else(|| exact::in_circle(&a, &b, &c, &d)).0
 }
 
 /// Positive if `e` is strictly inside the sphere through `a`, `b`, `c`, `d`, these being positively oriented.
 #[inline]
 #[must_use]
 pub fn in_sphere(a: [f64; 3], b: [f64; 3], c: [f64; 3], d: [f64; 3], e: [f64; 3]) -> Sign {
-    Adaptive::new([a, b, c, d, e]).lifted(&[0usize, 1, 2, 3], 4)
+    let certain = filter::in_sphere([&a, &b, &c, &d, &e], f64::INFINITY);
+    certain.unwrap_or_else(|| exact::in_sphere(&a, &b, &c, &d, &e)).0
 }
 
 /// The orientation of D+1 points of R^D: the sign of `det[p1 - p0; ..; pD - p0]`.
@@ -83,7 +102,7 @@ pub fn in_sphere(a: [f64; 3], b: [f64; 3], c: [f64; 3], d: [f64; 3], e: [f64; 3]
 pub fn orient<const D: usize>(points: &[[f64; D]]) -> Sign {
     assert_eq!(points.len(), D + 1, "orient in {D} dimensions takes {} points", D + 1);
     let ids: [usize; DIMENSION_MAX + 1] = std::array::from_fn(|i| i);
-    Adaptive::new(points).orient(&ids[..=D])
+    Adaptive::dynamic(points).orient(&ids[..=D])
 }
 
 #[cfg(test)]

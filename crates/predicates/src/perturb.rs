@@ -1,6 +1,6 @@
 //! The symbolic perturbation: ties of in_sphere decided by the lexicographic rank of the points.
 //!
-//! **Paper.** [DT11]: each point's lifted height is raised by an infinitesimal whose order of magnitude grows with the
+//! **Paper.** \[DT11\]: each point's lifted height is raised by an infinitesimal whose order of magnitude grows with the
 //! point's lexicographic rank. Only the lifting is perturbed, never a position, so orientations keep their zeros.
 //!
 //! **In.** A simplex that is not flat on the given axes, and `q`, cospherical with it and not one of its vertices.
@@ -24,7 +24,7 @@ use crate::kernel::{Id, Kernel};
 use crate::{Side, Sign};
 
 /// The most vertices a simplex can have.
-const VERTICES_MAX: usize = crate::determinant::AXES_MAX + 1;
+const VERTICES_MAX: usize = crate::exact::AXES_MAX + 1;
 
 /// The side of `q`, cospherical with `simplex`, whose `orientation` on `axes` is not zero.
 #[cold]

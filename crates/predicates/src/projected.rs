@@ -6,7 +6,7 @@
 use std::cmp::Ordering;
 
 use crate::kernel::{Id, Kernel};
-use crate::{Sign, determinant::AXES_MAX};
+use crate::{Sign, exact::AXES_MAX};
 
 /// The kernel `base` of R^D on K of its axes. See the module's text.
 #[derive(Clone, Copy, Debug)]

@@ -5,13 +5,14 @@ use std::ops::{Mul, Neg};
 
 /// The sign of a determinant: the answer of a plain predicate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(i8)]
 pub enum Sign {
     /// Less than zero: a right turn, outside.
-    Negative,
+    Negative = -1,
     /// Exactly zero: degenerate.
-    Zero,
+    Zero = 0,
     /// Greater than zero: a left turn, inside.
-    Positive,
+    Positive = 1,
 }
 
 /// What is left after the symbolic perturbation: there is no tie.

@@ -2,6 +2,9 @@ use std::cmp::Ordering;
 
 use super::*;
 
+mod kernels;
+mod known;
+
 #[test]
 fn signs_multiply_and_zero_is_zero() {
     assert_eq!(Sign::of(0.0), Sign::Zero);

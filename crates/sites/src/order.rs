@@ -1,7 +1,7 @@
 //! Insertion orders: Hilbert's curve, and biased randomized rounds along it.
 //!
-//! **Paper.** [ACR03]: each site is in the last round with probability 1/2, in the one before with 1/4, and so on; inside
-//! a round any order may serve, here that of Hilbert's curve, in the bit-parallel form of [Ski04].
+//! **Paper.** \[ACR03\]: each site is in the last round with probability 1/2, in the one before with 1/4, and so on; inside
+//! a round any order may serve, here that of Hilbert's curve, in the bit-parallel form of \[Ski04\].
 //! **Out.** A permutation of the sites. It depends on their positions alone and influences time only.
 //! **Cost.** O(n log n).
 
@@ -13,7 +13,7 @@ const FIRST_ROUND: usize = 64;
 /// Points whose keys are found in step.
 const LANES: usize = 8;
 
-/// A bijective hash: one step of the SplitMix64 generator [SLF14]. Wherever an algorithm wants randomness it scatters
+/// A bijective hash: one step of the SplitMix64 generator \[SLF14\]. Wherever an algorithm wants randomness it scatters
 /// something that is the input's own, so that every run is the same.
 #[must_use]
 pub const fn scatter(value: u64) -> u64 {
@@ -167,7 +167,7 @@ impl<const D: usize> Curve<D> {
     };
 }
 
-/// Turns grid coordinates, of N points in step, into the key's bits, axis by axis [Ski04].
+/// Turns grid coordinates, of N points in step, into the key's bits, axis by axis \[Ski04\].
 fn transpose<const D: usize, const N: usize>(x: &mut [[u32; N]; D], bits: u32) {
     for bit in (1..bits).rev() {
         let below = (1u32 << bit) - 1;

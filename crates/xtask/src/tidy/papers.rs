@@ -10,7 +10,7 @@ use super::Source;
 pub(crate) fn broken(sources: &[Source]) -> Result<Vec<String>, String> {
     let pattern = |text| Regex::new(text).map_err(|error| error.to_string());
     let (in_prose, in_registry) =
-        (pattern(r"\[([A-Z][A-Za-z]*[0-9]{2})\]")?, pattern(r#""([A-Z][A-Za-z]*[0-9]{2})""#)?);
+        (pattern(r"\[([A-Z][A-Za-z]*[0-9]{2})\\?\]")?, pattern(r#""([A-Z][A-Za-z]*[0-9]{2})""#)?);
     let notes: BTreeSet<&str> = sources
         .iter()
         .filter(|source| source.path.parent() == Some(Path::new("papers")))
