@@ -103,11 +103,12 @@ impl Outcome<'_> {
 
 /// The lines that tell a verdict to people.
 pub(crate) fn verdict_text(verdict: &Verdict) -> String {
-    let mut text = if verdict.ok {
-        format!("{:12} {}, proved: {}\n", "check", verdict.level, verdict.proved.join("; "))
-    } else {
-        format!("{:12} NOT PROVED\n", "check")
-    };
+    let level = if verdict.ok { verdict.level.name() } else { "NOT PROVED" };
+    let mut text = format!("{:12} {level}, {} ties\n", "check", grouped(verdict.ties as u64));
+    for (place, claim) in verdict.proved.iter().enumerate() {
+        let label = if place == 0 { "proved" } else { "" };
+        text.push_str(&format!("{label:12} {claim}\n"));
+    }
     for fault in &verdict.faults {
         text.push_str(&format!("{:12} {fault}\n", "fault"));
     }

@@ -29,7 +29,6 @@ pub(crate) fn check(arguments: &cli::Check) -> Result<(), Failure> {
         println!("{object}");
     } else {
         print!("{}", verdict_text(&verdict));
-        println!("{:12} {}", "ties", verdict.ties);
     }
     if verdict.ok { Ok(()) } else { Err(Failure::Difference(None)) }
 }
