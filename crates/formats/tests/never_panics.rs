@@ -1,5 +1,7 @@
 //! No bytes make a reader panic, hang or allocate by a header's word: arbitrary bytes, and valid files with a few edits.
 
+mod common;
+
 use delone_formats::{Format, Source, read_bytes};
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -120,7 +122,7 @@ fn every_truncation_under_every_format() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 1000, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(common::cases(1000))]
 
     #[test]
     fn arbitrary_bytes(bytes in vec(any::<u8>(), 0..200)) {

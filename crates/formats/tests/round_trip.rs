@@ -2,6 +2,8 @@
 
 #![expect(clippy::unwrap_used, reason = "helpers of tests fail as tests do")]
 
+mod common;
+
 use delone_formats::{Document, Format, Region, Source, one, read_bytes, write};
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -86,7 +88,7 @@ fn same_nodes(a: &Document, b: &Document) {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 200, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(common::cases(200))]
 
     #[test]
     fn node(document in document()) {
