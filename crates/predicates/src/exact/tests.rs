@@ -109,3 +109,33 @@ fn the_head_room_holds_at_the_largest_differences() {
         }
     }
 }
+
+#[test]
+fn the_head_room_of_machine_words_holds_up_to_each_limit() {
+    // Odd coordinates, so that no common power of two can be taken out, with differences around every width that is a
+    // limit of machine words. An integer that is too narrow overflows, which is a panic here.
+    let mut seed = 4;
+    for bits in 15..34 {
+        let far = 2f64.powi(bits - 1) + 1.0;
+        for _ in 0..200 {
+            let mut corner = || {
+                let side = if stream(&mut seed, 2) < 0.0 { far } else { -far };
+                if stream(&mut seed, 2) < 0.0 { side } else { 2.0 - side }
+            };
+            let p: [[f64; 3]; 5] = std::array::from_fn(|_| std::array::from_fn(|_| corner()));
+            let [a, b, c, d, e] = &p;
+            let slices = p.each_ref().map(<[f64; 3]>::as_slice);
+            let [sum, ..] = general::lifted_in_all_tiers(&slices, &[0, 1, 2], None);
+            assert_eq!(in_sphere(a, b, c, d, e).0, sum, "{p:?}");
+            let [sum, ..] = general::orient_in_all_tiers(&slices[..4], &[0, 1, 2]);
+            assert_eq!(orient3d(a, b, c, d).0, sum, "{p:?}");
+            let plane = p.map(|[x, y, _]| [x, y]);
+            let [a, b, c, d, _] = &plane;
+            let slices = plane.each_ref().map(<[f64; 2]>::as_slice);
+            let [sum, ..] = general::lifted_in_all_tiers(&slices[..4], &[0, 1], None);
+            assert_eq!(in_circle(a, b, c, d).0, sum, "{plane:?}");
+            let [sum, ..] = general::orient_in_all_tiers(&slices[..3], &[0, 1]);
+            assert_eq!(orient2d(a, b, c).0, sum, "{plane:?}");
+        }
+    }
+}
