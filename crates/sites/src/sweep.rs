@@ -10,7 +10,7 @@
 //! | case | answer | test |
 //! |---|---|---|
 //! | equal abscissae, vertical segments | the order is lexicographic: as if sheared by an infinitesimal | `the_sweep_agrees_with_all_pairs` |
-//! | segments with a common end | are ordered by their other ends, and do not cross | `a_fan_of_many_segments_is_quick` |
+//! | segments with a common end | are ordered by their other ends, and do not cross | `spokes_with_a_common_end_do_not_cross` |
 
 use std::cmp::Ordering;
 use std::collections::BTreeSet;

@@ -180,8 +180,8 @@ fn the_sweep_agrees_with_all_pairs() {
 }
 
 #[test]
-fn a_fan_of_many_segments_is_quick() {
-    // All pairs share an end: looking at all of them would take minutes.
+fn spokes_with_a_common_end_do_not_cross() {
+    // Enough of them that looking at all pairs would be felt.
     let spokes = 20_000;
     let mut points = vec![[0.0, 0.0]];
     points.extend((0..spokes).map(|i| [f64::from(i) - 10_000.0, 1.0 + f64::from(i * i % 101)]));

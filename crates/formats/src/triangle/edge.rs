@@ -11,18 +11,29 @@ use crate::write::Lost;
 pub(crate) fn read(text: &str, nodes: Option<&str>) -> Result<Document, ReadError> {
     let mut document = nodes_beside(nodes)?;
     let mut items = Items::new(text);
-    let (header, [edges, markers]) = items.header("`edges markers`", [0, 0])?;
+    read_list(&mut items, &mut document, "edge")?;
+    items.finish()?;
+    Ok(document)
+}
+
+/// The list itself, which `.poly` files have too: segments there, edges here, alike but for the `noun`.
+pub(super) fn read_list(
+    items: &mut Items<'_>,
+    document: &mut Document,
+    noun: &'static str,
+) -> Result<(), ReadError> {
+    let (header, [edges, markers]) = items.header(&format!("`{noun}s markers`"), [0, 0])?;
     if markers > 1 {
         return Err(ReadError::malformed(header.number, "markers 0 or 1", header.text));
     }
     let (points, first) = (document.point_count(), usize::from(document.first_index == 1));
     let mut due = 0;
     for i in 0..edges {
-        let line = items.next("the next edge")?;
+        let line = items.next(&format!("the next {noun}"))?;
         if i == 0 {
-            due = first_number(&line, "edge")?;
+            due = first_number(&line, noun)?;
         }
-        let fields: Vec<&str> = numbered(&line, "edge", due + i)?.collect();
+        let fields: Vec<&str> = numbered(&line, noun, due + i)?.collect();
         if fields.len() != 2 + markers {
             let want = format!("a number, two points and {markers} markers");
             return Err(ReadError::malformed(line.number, want, line.text));
@@ -34,8 +45,7 @@ pub(crate) fn read(text: &str, nodes: Option<&str>) -> Result<Document, ReadErro
             document.segment_markers.push(marker(field, line.number)?);
         }
     }
-    items.finish()?;
-    Ok(document)
+    Ok(())
 }
 
 pub(crate) fn write(document: &Document, out: &mut impl Write) -> io::Result<()> {

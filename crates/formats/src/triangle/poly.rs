@@ -6,7 +6,7 @@
 
 use std::io::{self, Write};
 
-use super::{Items, first_number, header_of, marker, node, nodes_beside, numbered, real};
+use super::{Items, edge, header_of, node, nodes_beside, real};
 use crate::document::{Document, Region};
 use crate::error::ReadError;
 use crate::text::{Line, index};
@@ -31,40 +31,13 @@ pub(crate) fn read(text: &str, nodes: Option<&str>, facets: Facets) -> Result<Do
         node::read_points(&header, &mut items)?
     };
     match (document.dimension, facets) {
-        (2, Facets::Compound) => read_segments(&mut items, &mut document)?,
+        (2, Facets::Compound) => edge::read_list(&mut items, &mut document, "segment")?,
         (_, Facets::Compound) => read_facets(&mut items, &mut document)?,
         (_, Facets::Simple) => read_simple_facets(&mut items, &mut document)?,
     }
     read_holes_and_regions(&mut items, &mut document)?;
     items.finish()?;
     Ok(document)
-}
-
-fn read_segments(items: &mut Items<'_>, document: &mut Document) -> Result<(), ReadError> {
-    let (header, [segments, markers]) = items.header("`segments markers`", [0, 0])?;
-    if markers > 1 {
-        return Err(ReadError::malformed(header.number, "markers 0 or 1", header.text));
-    }
-    let (points, first) = (document.point_count(), usize::from(document.first_index == 1));
-    let mut due = 0;
-    for i in 0..segments {
-        let line = items.next("the next segment")?;
-        if i == 0 {
-            due = first_number(&line, "segment")?;
-        }
-        let fields: Vec<&str> = numbered(&line, "segment", due + i)?.collect();
-        if fields.len() != 2 + markers {
-            let want = format!("a number, two points and {markers} markers");
-            return Err(ReadError::malformed(line.number, want, line.text));
-        }
-        let a = index(fields[0], line.number, first, points)?;
-        let b = index(fields[1], line.number, first, points)?;
-        document.segments.push([a, b]);
-        for field in &fields[2..] {
-            document.segment_markers.push(marker(field, line.number)?);
-        }
-    }
-    Ok(())
 }
 
 fn read_facets(items: &mut Items<'_>, document: &mut Document) -> Result<(), ReadError> {
