@@ -1,4 +1,4 @@
-//! Times the algorithms of the plane: nanoseconds a site, the median of several runs and the best one, by the clock on
+//! Times the algorithms, in the plane and in space: nanoseconds a site, the median of several runs and the best one, by the clock on
 //! the wall and, where Linux tells it, on the processor. (That of the main thread alone: it says nothing where others
 //! work for it.)
 //!
@@ -19,38 +19,59 @@ use delone_workloads::{Points, generate};
 
 fn main() {
     let words: Vec<String> = std::env::args().skip(1).collect();
-    let list = |name: &str, default: &str| -> Vec<String> {
-        let given = words.iter().skip_while(|word| *word != name).nth(1);
-        given.map_or(default, |text| text).split(',').map(str::to_owned).collect()
+    let ask = Ask {
+        names: list(&words, "--algorithms", "bowyer-watson,divide-conquer"),
+        threads: numbers(&words, "--threads", "1,2"),
+        runs: numbers(&words, "--runs", "5")[0],
     };
-    let numbers = |name: &str, default: &str| -> Vec<usize> {
-        list(name, default).iter().map(|text| text.parse().expect("a number")).collect()
-    };
-    let names = list("--algorithms", "bowyer-watson,divide-conquer");
-    let runs = numbers("--runs", "5")[0];
-    for workload in list("--workloads", "uniform,gauss,clusters,grid,circle") {
-        for n in numbers("--sizes", "10000,100000,1000000") {
-            let input = generate(&workload, n, 1).expect("a workload");
-            let Points::Plane(points) = input.points else { panic!("{workload} is not planar") };
-            let (take, sites) = median(runs, n, || Sites::new(&points).expect("finite points"));
-            println!("{workload:10} {:8} {:16} {take}", sites.len(), "Sites::new");
-            for algorithm in algorithms::<2>().iter().filter(|a| names.iter().any(|n| n == a.name))
-            {
-                for threads in numbers("--threads", "1,2") {
-                    let threads = NonZeroUsize::new(threads).expect("a thread");
-                    let options = Options { threads, ..Options::default() };
-                    let (take, result) = median(runs, n, || (algorithm.run)(&sites, &options));
-                    let peak = peak();
-                    let hash = result.fingerprint(&sites);
-                    println!(
-                        "{workload:10} {:8} {:16} {take}  threads {threads}  peak {peak}  {hash}",
-                        sites.len(),
-                        algorithm.name,
-                    );
-                    if algorithm.name != "divide-conquer" {
-                        break; // it has no use for threads
-                    }
-                }
+    for workload in list(&words, "--workloads", "uniform,gauss,clusters,grid,circle") {
+        for n in numbers(&words, "--sizes", "10000,100000,1000000") {
+            match generate(&workload, n, 1).expect("a workload").points {
+                Points::Plane(points) => time(&workload, &points, &ask),
+                Points::Space(points) => time(&workload, &points, &ask),
+            }
+        }
+    }
+}
+
+/// What to time.
+struct Ask {
+    names: Vec<String>,
+    threads: Vec<usize>,
+    runs: usize,
+}
+
+/// The words after `name`, parted at commas.
+fn list(words: &[String], name: &str, default: &str) -> Vec<String> {
+    let given = words.iter().skip_while(|word| *word != name).nth(1);
+    given.map_or(default, |text| text).split(',').map(str::to_owned).collect()
+}
+
+fn numbers(words: &[String], name: &str, default: &str) -> Vec<usize> {
+    let texts = list(words, name, default);
+    texts.iter().map(|text| text.parse().expect("a number")).collect()
+}
+
+/// One workload at one size.
+fn time<const D: usize>(workload: &str, points: &[[f64; D]], ask: &Ask) {
+    let n = points.len();
+    let (take, sites) = median(ask.runs, n, || Sites::new(points).expect("finite points"));
+    println!("{workload:10} {:8} {:16} {take}", sites.len(), "Sites::new");
+    let asked = |name: &str| ask.names.iter().any(|asked| asked == name);
+    for algorithm in algorithms::<D>().iter().filter(|algorithm| asked(algorithm.name)) {
+        for &threads in &ask.threads {
+            let threads = NonZeroUsize::new(threads).expect("a thread");
+            let options = Options { threads, ..Options::default() };
+            let (take, result) = median(ask.runs, n, || (algorithm.run)(&sites, &options));
+            let peak = peak();
+            let hash = result.fingerprint(&sites);
+            println!(
+                "{workload:10} {:8} {:16} {take}  threads {threads}  peak {peak}  {hash}",
+                sites.len(),
+                algorithm.name,
+            );
+            if algorithm.name != "divide-conquer" {
+                break; // it has no use for threads
             }
         }
     }

@@ -89,7 +89,7 @@ fn build<const D: usize>(kernel: &impl Kernel<D>, count: usize, probe: &mut impl
         let p = VertexId::new(done);
         let seed = walk(&mesh, kernel, hint, p, &mut coin, probe);
         dig_conflicts(&mesh, kernel, seed, p, &mut cavity, probe);
-        hint = mesh.star(&cavity, p);
+        hint = mesh.star(&mut cavity, p);
         cavity.rim().iter().for_each(|_| probe.on(Event::CellMade));
         probe.on(Event::Site { done: done + 1, total: count });
     }

@@ -4,7 +4,7 @@
 //! **In.** A Delaunay mesh of some sites in R^D; a site `p` not in it. **Out.** Whether a cell's open circumball, after
 //! perturbation, holds `p`; all such cells, and the rim between them and the rest.
 //! **Invariants.** 1. The region is connected. 2. It is star-shaped around `p`. 3. Each rim facet has its cell inside.
-//! **Cost.** One in_sphere for each cell of the cavity and each facet of its rim.
+//! **Cost.** One in_sphere for each cell of the cavity and each cell at its rim.
 //!
 //! **Degeneracies.**
 //! | case | answer | test |
@@ -18,7 +18,9 @@ use delone_predicates::{Kernel, Side, Sign};
 use delone_probe::{Event, Probe};
 
 /// Whether `cell` is in conflict with `p`.
-#[inline]
+///
+/// Not inlined: the answer, which nobody can predict, is to remain a value and not become a branch.
+#[inline(never)]
 pub fn in_conflict<const D: usize>(
     mesh: &Mesh<D>,
     kernel: &impl Kernel<D>,
@@ -69,19 +71,6 @@ pub fn dig_conflicts<const D: usize>(
     cavity: &mut Cavity<D>,
     probe: &mut impl Probe,
 ) {
-    cavity.begin(seed);
-    while let Some(cell) = cavity.next_unexplored() {
-        for facet in mesh.facets(cell) {
-            let beyond = mesh.twin(facet).cell();
-            if cavity.holds(beyond) {
-                continue;
-            }
-            if in_conflict(mesh, kernel, beyond, p, probe) {
-                cavity.dig(beyond);
-            } else {
-                cavity.push_rim(facet); // Inv 3
-            }
-        }
-    }
+    cavity.dig(mesh, seed, |cell| in_conflict(mesh, kernel, cell, p, probe));
     probe.on(Event::Cavity { cells: cavity.cells().len() });
 }

@@ -16,12 +16,18 @@ pub struct CellId(NonZeroU32);
 pub struct FacetId<const D: usize>(NonZeroU32);
 
 /// `index + 1`, which leaves zero to `Option`.
-#[inline]
+#[inline(always)]
 fn raw(index: usize) -> NonZeroU32 {
-    u32::try_from(index + 1)
-        .ok()
-        .and_then(NonZeroU32::new)
-        .expect("a mesh holds fewer than 2^32 - 1 vertices, cells and facets each")
+    match u32::try_from(index + 1).map(NonZeroU32::new) {
+        Ok(Some(raw)) => raw,
+        _ => overflow(),
+    }
+}
+
+#[cold]
+#[inline(never)]
+fn overflow() -> ! {
+    panic!("a mesh holds fewer than 2^32 - 1 vertices, cells and facets each")
 }
 
 macro_rules! index {
@@ -95,6 +101,12 @@ impl<const D: usize> FacetId<D> {
     #[must_use]
     pub fn from_index(index: usize) -> Self {
         Self(raw(index))
+    }
+
+    /// The facet `corners` corners further on in the same cell, which must have so many.
+    #[inline(always)]
+    pub(crate) fn further(self, corners: u32) -> Self {
+        Self(self.0.saturating_add(corners))
     }
 
     /// The cell it is seen from.

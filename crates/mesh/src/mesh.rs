@@ -242,12 +242,19 @@ impl<const D: usize> Mesh<D> {
     /// A slot for a cell, which still holds what it held.
     #[inline]
     pub(crate) fn claim_cell(&mut self) -> CellId {
-        self.free.pop().unwrap_or_else(|| {
-            let cell = CellId::new(self.cell_count());
-            self.vertices.resize(self.vertices.len() + D + 1, VertexId::GHOST);
-            self.twins.extend((0..=D).map(|corner| FacetId::<D>::new(cell, corner)));
-            cell
-        })
+        match self.free.pop() {
+            Some(cell) => cell,
+            None => self.new_cell(),
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn new_cell(&mut self) -> CellId {
+        let cell = CellId::new(self.cell_count());
+        self.vertices.resize(self.vertices.len() + D + 1, VertexId::GHOST);
+        self.twins.extend((0..=D).map(|corner| FacetId::<D>::new(cell, corner)));
+        cell
     }
 
     /// Makes two facets twins.

@@ -192,7 +192,7 @@ impl<const D: usize, P: AsRef<[[f64; D]]>> Kernel<D> for Exact<P> {
                 exact::in_circle(same(at(a)), same(at(b)), same(at(c)), same(at(q)))
             }
             [a, b, c, d] if D == 3 => {
-                let [a, b, c, d] = [a, b, c, d].map(|v| same(at(v)));
+                let (a, b, c, d) = (same(at(a)), same(at(b)), same(at(c)), same(at(d)));
                 exact::in_sphere(a, b, c, d, same(at(q)))
             }
             _ => lifted_exactly(&self.points, &all_axes::<D>(), simplex, q),
@@ -220,7 +220,7 @@ impl<const D: usize, P: AsRef<[[f64; D]]>> Kernel<D> for Adaptive<P> {
                 certain.unwrap_or_else(|| exact::orient2d(a, b, c))
             }
             [a, b, c, d] if D == 3 => {
-                let [a, b, c, d] = [a, b, c, d].map(|v| same(at(v)));
+                let (a, b, c, d) = (same(at(a)), same(at(b)), same(at(c)), same(at(d)));
                 let certain = filter::orient3d([a, b, c, d], self.bounds.orient);
                 certain.unwrap_or_else(|| exact::orient3d(a, b, c, d))
             }
@@ -233,12 +233,13 @@ impl<const D: usize, P: AsRef<[[f64; D]]>> Kernel<D> for Adaptive<P> {
         let at = |v| point(&self.points, v);
         match *simplex {
             [a, b, c] if D == 2 => {
-                let [a, b, c, q] = [a, b, c, q].map(|v| same(at(v)));
+                let (a, b, c, q) = (same(at(a)), same(at(b)), same(at(c)), same(at(q)));
                 let certain = filter::in_circle([a, b, c, q], self.bounds.lifted);
                 certain.unwrap_or_else(|| exact::in_circle(a, b, c, q))
             }
             [a, b, c, d] if D == 3 => {
-                let [a, b, c, d, q] = [a, b, c, d, q].map(|v| same(at(v)));
+                let (a, b, c) = (same(at(a)), same(at(b)), same(at(c)));
+                let (d, q) = (same(at(d)), same(at(q)));
                 let certain = filter::in_sphere([a, b, c, d, q], self.bounds.lifted);
                 certain.unwrap_or_else(|| exact::in_sphere(a, b, c, d, q))
             }
