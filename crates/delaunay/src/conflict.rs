@@ -28,7 +28,7 @@ pub fn in_conflict<const D: usize>(
     p: VertexId,
     probe: &mut impl Probe,
 ) -> bool {
-    let corners = mesh.corners(cell);
+    let corners = &mesh.corners(cell)[..=D]; // a length that the compiler knows
     match corners.iter().position(|vertex| vertex.is_ghost()) {
         None => {
             probe.on(Event::InSphere);

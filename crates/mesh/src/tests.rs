@@ -55,7 +55,8 @@ fn star_again(splits: usize) {
     let (mut mesh, mut cavity) = (simplex::<3>(3), Cavity::new());
     split(&mut mesh, &mut cavity, CellId::new(0), 4);
     let about = |mesh: &Mesh<3>, cell| mesh.corners(cell).contains(&v(4));
-    let star = |mesh: &Mesh<3>| -> Vec<CellId> { mesh.cells().filter(|&c| about(mesh, c)).collect() };
+    let star =
+        |mesh: &Mesh<3>| -> Vec<CellId> { mesh.cells().filter(|&c| about(mesh, c)).collect() };
     for i in 0..splits {
         let cells = star(&mesh);
         split(&mut mesh, &mut cavity, cells[i * i % cells.len()], 5 + i);

@@ -33,7 +33,7 @@ impl<P> Adaptive<P> {
     where
         P: AsRef<[[f64; D]]>,
     {
-        Self { bounds: Bounds::of(points.as_ref()), points }
+        Self { bounds: Bounds::of_all(points.as_ref()), points }
     }
 
     /// Calls `answer` with the points of `simplex` and then, if given, `q`.
@@ -47,6 +47,24 @@ impl<P> Adaptive<P> {
         P: AsRef<[[f64; D]]>,
     {
         with_points(&self.points, simplex, q, answer)
+    }
+
+    /// A point on two of its axes.
+    fn on<const D: usize, V: Id>(&self, x: usize, y: usize, v: V) -> [f64; 2]
+    where
+        P: AsRef<[[f64; D]]>,
+    {
+        let point = point(&self.points, v);
+        [point[x], point[y]]
+    }
+
+    /// A point of space with these two of its axes first.
+    fn turned<const D: usize, V: Id>(&self, x: usize, y: usize, v: V) -> [f64; 3]
+    where
+        P: AsRef<[[f64; D]]>,
+    {
+        let point = point(&self.points, v);
+        [point[x], point[y], point[3 - x - y]]
     }
 
     /// A kernel over these points without static filters, made without a look at them: for a few calls on many points.
@@ -136,16 +154,8 @@ pub(crate) fn slices<'p, const D: usize>(
     std::array::from_fn(|i| points.get(i).map_or(&[][..], |point| point.as_slice()))
 }
 
-macro_rules! exact_methods {
+macro_rules! shared_methods {
     () => {
-        fn orient_on<V: Id>(&self, axes: &[usize], simplex: &[V]) -> Sign {
-            orient_exactly(&self.points, axes, simplex).0
-        }
-
-        fn lifted_on<V: Id>(&self, axes: &[usize], simplex: &[V], q: V) -> Sign {
-            lifted_exactly(&self.points, axes, simplex, q).0
-        }
-
         #[inline]
         fn compare<V: Id>(&self, axis: usize, u: V, v: V) -> Ordering {
             compare(&self.points, axis, u, v)
@@ -170,7 +180,15 @@ impl<const D: usize, P: AsRef<[[f64; D]]>> Kernel<D> for Exact<P> {
         Exact::new(gather(self.points.as_ref(), order))
     }
 
-    exact_methods!();
+    fn orient_on<V: Id>(&self, axes: &[usize], simplex: &[V]) -> Sign {
+        orient_exactly(&self.points, axes, simplex).0
+    }
+
+    fn lifted_on<V: Id>(&self, axes: &[usize], simplex: &[V], q: V) -> Sign {
+        lifted_exactly(&self.points, axes, simplex, q).0
+    }
+
+    shared_methods!();
 
     #[inline]
     fn orient_staged<V: Id>(&self, simplex: &[V]) -> (Sign, Stage) {
@@ -208,7 +226,31 @@ impl<const D: usize, P: AsRef<[[f64; D]]>> Kernel<D> for Adaptive<P> {
         Adaptive { points: gather(self.points.as_ref(), order), bounds: self.bounds }
     }
 
-    exact_methods!();
+    fn orient_on<V: Id>(&self, axes: &[usize], simplex: &[V]) -> Sign {
+        match (axes, simplex) {
+            (&[axis], &[u, v]) => Sign::from(self.compare(axis, v, u)),
+            (&[x, y], &[a, b, c]) => {
+                let (a, b, c) = (self.on(x, y, a), self.on(x, y, b), self.on(x, y, c));
+                let certain = filter::orient2d(&a, &b, &c, f64::INFINITY);
+                certain.unwrap_or_else(|| exact::orient2d(&a, &b, &c)).0
+            }
+            _ => orient_exactly(&self.points, axes, simplex).0,
+        }
+    }
+
+    fn lifted_on<V: Id>(&self, axes: &[usize], simplex: &[V], q: V) -> Sign {
+        match (axes, simplex) {
+            (&[x, y], &[a, b, c]) if D == 3 => {
+                let turned = |v| self.turned(x, y, v);
+                let points = [turned(a), turned(b), turned(c), turned(q)];
+                let certain = filter::in_circle_of_space(points.each_ref());
+                certain.unwrap_or_else(|| exact::in_circle_of_space(points.each_ref())).0
+            }
+            _ => lifted_exactly(&self.points, axes, simplex, q).0,
+        }
+    }
+
+    shared_methods!();
 
     #[inline(always)]
     fn orient_staged<V: Id>(&self, simplex: &[V]) -> (Sign, Stage) {

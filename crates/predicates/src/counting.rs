@@ -74,7 +74,7 @@ impl Tally {
 /// let tally = Tally::default();
 /// let kernel = Counting::new(Adaptive::new([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]]), &tally);
 /// kernel.in_sphere(&[0usize, 1, 2], 3);
-/// assert_eq!(tally.answered(Question::Lifted, Stage::MachineWords), 1);
+/// assert_eq!(tally.answered(Question::Lifted, Stage::StaticFilter), 1); // nothing is rounded on so small a lattice
 /// assert_eq!(tally.perturbed(), 1);
 /// ```
 #[derive(Clone, Copy, Debug)]

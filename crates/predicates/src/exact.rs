@@ -25,7 +25,7 @@
 //!
 //! Machine words, unweighted: orient2d in one limb is one `i128`, 2^(2*62+1). orient3d, b <= 30: minors 2^61 in `i64`, the sum
 //! 6 * 2^90 in `i128`. in_circle, b <= 30: heights 2 * 2^60 = minors 2^61 in `i64`, the sum 3 * 2^122 in `i128`.
-//! in_sphere, b <= 20: minors 2^41 and 6 * 2^60 < 2^63 in `i64`, the sum in `i128`.
+//! in_circle of a plane of space: heights 3 * 2^60, the sum 9 * 2^121. in_sphere, b <= 20: minors 2^41 and 6 * 2^60 < 2^63 in `i64`, the sum in `i128`.
 //!
 //! Aligned from the top, one limb holds magnitudes below 2^61, so differences below 2^62. Aligned from the lowest bit
 //! set, coordinates of w bits have differences below 2^(w+1): b = w + 1.
@@ -187,6 +187,28 @@ fn in_circle_in_two_limbs(values: &[f64; 8]) -> Option<Answer> {
     let [p, q, r] = differences!(values, 2: 0 1 2);
     let (p, q, r) = (in_plane(p), in_plane(q), in_plane(r));
     Some((formulas::in_circle::<2, 4, 8>([&p, &q, &r]).sign(), Stage::TwoLimbs))
+}
+
+/// Whether the last of four points in a plane of space is inside the circle of the others, which turn left on the first
+/// two axes.
+pub(crate) fn in_circle_of_space(points: [&[f64; 3]; 4]) -> Answer {
+    let [a, b, c, d] = points;
+    let values = [a[0], a[1], a[2], b[0], b[1], b[2], c[0], c[1], c[2], d[0], d[1], d[2]];
+    let general = || lifted(&points.map(|p| &p[..]), &[0, 1], None);
+    let Some(values) = one_limb(&values) else { return general() };
+    let [p, q, r] = differences!(values, 3: 0 1 2);
+    let (bits, zeros) = extent(&[p[0], p[1], p[2], q[0], q[1], q[2], r[0], r[1], r[2]]);
+    if bits.saturating_sub(zeros) > 30 {
+        return general();
+    }
+    let shifted = |p: [i64; 3]| [p[0] >> zeros, p[1] >> zeros, p[2] >> zeros];
+    let (p, q, r) = (shifted(p), shifted(q), shifted(r));
+    let minor = |p: [i64; 3], q: [i64; 3]| p[0] * q[1] - p[1] * q[0];
+    let height = |p: [i64; 3]| p[0] * p[0] + p[1] * p[1] + p[2] * p[2];
+    let det = wide(height(p)) * wide(minor(q, r))
+        + wide(height(q)) * wide(minor(r, p))
+        + wide(height(r)) * wide(minor(p, q));
+    (sign(det), Stage::MachineWords)
 }
 
 /// Whether the last of five points is inside the sphere of the others.

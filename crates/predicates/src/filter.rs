@@ -12,6 +12,12 @@
 //! dynamic bound of any call: no new constant, no new proof. It is computed once for a point set. Calls that it does not
 //! decide go on to the dynamic filter.
 //!
+//! **Integers.** Where all coordinates of a point set are whole multiples of one power of two g, and so few that the permanent of
+//! the extents, a number of g^k in degree k, is below 2^53, every sum and product of a determinant is a whole
+//! multiple of a power of g too, and below 2^53 of these: a double, as long as the exponents are in range. Nothing is rounded, and
+//! the sign of the determinant in doubles is right, zero included: the static bound is then negative ([`EXACT`]). So are
+//! lattices of up to 5,000 x 5,000 and 600 x 600 x 600 decided.
+//!
 //! **Underflow.** A product that underflows loses at most 2^-1075 in magnitude, which no relative bound covers. So each
 //! inner magnitude gets a guard G = 2^-1020 added *before* it is scaled by its outer factor: A G >= 7 * 2^-53 * 2^-1020
 //! = 28 * 2^-1075, more than the two (or, in a squared length, three) products below it can lose. The guard of the last
@@ -28,6 +34,7 @@
 pub(crate) mod any;
 pub(crate) mod value;
 
+use crate::exact::align::odd;
 use crate::{Sign, Stage};
 
 const U: f64 = f64::EPSILON / 2.0;
@@ -36,6 +43,9 @@ const GUARD: f64 = 4.0 * f64::MIN_POSITIVE;
 const ORIENT_2D: f64 = (3.0 + 16.0 * U) * U;
 const ORIENT_3D: f64 = (7.0 + 56.0 * U) * U;
 const IN_CIRCLE: f64 = (10.0 + 96.0 * U) * U;
+/// As `IN_CIRCLE`, but a height is the sum of one more square: one more rounding on the longest path. The second term, for
+/// products of roundings and those of the bound itself, is that of `IN_SPHERE`, whose paths are longer.
+const IN_CIRCLE_OF_SPACE: f64 = (11.0 + 224.0 * U) * U;
 const IN_SPHERE: f64 = (16.0 + 224.0 * U) * U;
 
 /// A sign and the filter that is sure of it.
@@ -54,16 +64,21 @@ impl Bounds {
     /// For points about which nothing is known.
     pub(crate) const NONE: Self = Self { orient: f64::INFINITY, lifted: f64::INFINITY };
 
-    /// For calls on these points.
-    pub(crate) fn of<const D: usize>(points: &[[f64; D]]) -> Self {
-        let (mut low, mut high) = ([f64::INFINITY; D], [f64::NEG_INFINITY; D]);
-        for point in points {
-            for axis in 0..D {
-                low[axis] = low[axis].min(point[axis]);
-                high[axis] = high[axis].max(point[axis]);
-            }
+    /// For calls on these points, all of which are looked at: exact if they lie on a small lattice.
+    pub(crate) fn of_all<const D: usize>(points: &[[f64; D]]) -> Self {
+        let bounds = Self::of(points);
+        match exact_degrees(points) {
+            None => bounds,
+            Some([orient, lifted]) => Self {
+                orient: if orient { EXACT } else { bounds.orient },
+                lifted: if lifted { EXACT } else { bounds.lifted },
+            },
         }
-        let extents: [f64; D] = std::array::from_fn(|axis| high[axis] - low[axis]);
+    }
+
+    /// For calls on points in the box of these.
+    pub(crate) fn of<const D: usize>(points: &[[f64; D]]) -> Self {
+        let extents = extents(points);
         match *extents.as_slice() {
             _ if points.is_empty() => Self::NONE,
             [x, y] => {
@@ -88,10 +103,54 @@ impl Bounds {
     }
 }
 
+/// The bound of what is not rounded: any magnitude is over it.
+const EXACT: f64 = -1.0;
+
+/// Whether the orientations and the lifted determinants of these points are exact in doubles; `None` for "neither".
+fn exact_degrees<const D: usize>(points: &[[f64; D]]) -> Option<[bool; 2]> {
+    /// The permanents of [`Bounds::of`] for extents of 1 in all axes, and the degrees.
+    const fn permanents(axes: usize) -> Option<[(f64, i32); 2]> {
+        match axes {
+            2 => Some([(2.0, 2), (12.0, 4)]),
+            3 => Some([(6.0, 3), (72.0, 5)]),
+            _ => None,
+        }
+    }
+    let permanents = permanents(D)?;
+    let widest = extents(points).into_iter().fold(0.0, f64::max);
+    // The unit g, until there are too many of it.
+    let mut unit = i32::MAX;
+    for &coordinate in points.iter().flatten().filter(|&&x| x != 0.0) {
+        let (_, exponent) = odd(coordinate);
+        unit = unit.min(exponent);
+        if widest / 2f64.powi(unit) > 16384.0 {
+            return None;
+        }
+    }
+    // In this range g^5 is a normal number, and 2^53 of them are finite.
+    if !(-200..=180).contains(&unit) {
+        return None;
+    }
+    let count = widest / 2f64.powi(unit);
+    Some(permanents.map(|(factor, degree)| factor * count.powi(degree) < 2f64.powi(53)))
+}
+
+/// The extents of the points' box.
+fn extents<const D: usize>(points: &[[f64; D]]) -> [f64; D] {
+    let (mut low, mut high) = ([f64::INFINITY; D], [f64::NEG_INFINITY; D]);
+    for point in points {
+        for axis in 0..D {
+            low[axis] = low[axis].min(point[axis]);
+            high[axis] = high[axis].max(point[axis]);
+        }
+    }
+    std::array::from_fn(|axis| high[axis] - low[axis])
+}
+
 /// The sign of `value`, if its magnitude is over one of its error bounds.
 #[inline(always)]
 fn certain(value: f64, of_all: f64, of_call: impl FnOnce() -> f64) -> Certain {
-    let sign = if value > 0.0 { Sign::Positive } else { Sign::Negative };
+    let sign = Sign::of(value);
     if value.abs() > of_all {
         Some((sign, Stage::StaticFilter))
     } else if value.abs() > of_call() {
@@ -155,6 +214,16 @@ pub(crate) fn in_circle(points: [&[f64; 2]; 4], bound: f64) -> Certain {
         let ([p, q, r], h) = value::in_circle_rows(points);
         let minors = [minor_magnitude(q, r), minor_magnitude(r, p), minor_magnitude(p, q)];
         IN_CIRCLE * in_circle_permanent(h.map(|h| h + GUARD), minors)
+    })
+}
+
+/// Of points in a plane of space, projected onto the first two axes; heights are lengths in space.
+pub(crate) fn in_circle_of_space(points: [&[f64; 3]; 4]) -> Certain {
+    let ([p, q, r], h) = value::in_circle_of_space_rows(points);
+    let det = h[0] * value::minor(q, r) + h[1] * value::minor(r, p) + h[2] * value::minor(p, q);
+    certain(det, f64::INFINITY, || {
+        let minors = [minor_magnitude(q, r), minor_magnitude(r, p), minor_magnitude(p, q)];
+        IN_CIRCLE_OF_SPACE * in_circle_permanent(h.map(|h| h + GUARD), minors)
     })
 }
 

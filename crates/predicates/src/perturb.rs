@@ -37,23 +37,38 @@ pub(crate) fn tie<const D: usize, V: Id, K: Kernel<D> + ?Sized>(
 ) -> Side {
     debug_assert!(simplex.iter().all(|&v| v != q), "q is a vertex of the simplex");
     let count = simplex.len();
-    let mut ranked = [0; VERTICES_MAX];
-    for (slot, place) in ranked[..count].iter_mut().enumerate() {
-        *place = slot;
-    }
-    ranked[..count].sort_unstable_by(|&i, &j| kernel.compare_lexicographic(simplex[j], simplex[i]));
     let mut replaced = [q; VERTICES_MAX];
     replaced[..count].copy_from_slice(simplex);
-    for &i in &ranked[..count] {
+    let mut left = [true; VERTICES_MAX];
+    for _ in 0..count {
+        let i = highest(kernel, simplex, &left);
         if kernel.compare_lexicographic(simplex[i], q) == Ordering::Less {
             return Side::Negative; // q has the highest rank left
         }
+        left[i] = false;
         replaced[i] = q;
-        let coefficient = kernel.orient_on(axes, &replaced[..count]);
+        let coefficient = match axes.len() {
+            k if k == D => kernel.orient(&replaced[..count]),
+            _ => kernel.orient_on(axes, &replaced[..count]),
+        };
         replaced[i] = simplex[i];
         if coefficient != Sign::Zero {
             return if coefficient == orientation { Side::Positive } else { Side::Negative };
         }
     }
     Side::Negative
+}
+
+/// The place of the vertex of the highest rank among those `left`, of which there is one. Mostly only one is asked for.
+fn highest<const D: usize, V: Id, K: Kernel<D> + ?Sized>(
+    kernel: &K,
+    simplex: &[V],
+    left: &[bool; VERTICES_MAX],
+) -> usize {
+    let mut places = (0..simplex.len()).filter(|&i| left[i]);
+    let first = places.next().unwrap_or(0);
+    places.fold(first, |best, i| {
+        let higher = kernel.compare_lexicographic(simplex[i], simplex[best]);
+        if higher == Ordering::Greater { i } else { best }
+    })
 }

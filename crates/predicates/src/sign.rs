@@ -29,12 +29,11 @@ impl Sign {
     #[inline]
     #[must_use]
     pub fn of(value: f64) -> Self {
-        if value > 0.0 {
-            Self::Positive
-        } else if value < 0.0 {
-            Self::Negative
-        } else {
-            Self::Zero
+        // Without branches: nobody can predict it.
+        match i8::from(value > 0.0) - i8::from(value < 0.0) {
+            1 => Self::Positive,
+            0 => Self::Zero,
+            _ => Self::Negative,
         }
     }
 

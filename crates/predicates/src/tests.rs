@@ -4,6 +4,7 @@ use super::*;
 
 mod kernels;
 mod known;
+mod lattices;
 
 #[test]
 fn signs_multiply_and_zero_is_zero() {

@@ -93,7 +93,11 @@ impl<const D: usize> Mesh<D> {
     }
 
     /// The cone from `apex` over a rim whose vertices have been named; one of its cells.
-    pub(super) fn star_by_names(&mut self, cavity: &mut Cavity<D>, apex: VertexId) -> Option<CellId> {
+    pub(super) fn star_by_names(
+        &mut self,
+        cavity: &mut Cavity<D>,
+        apex: VertexId,
+    ) -> Option<CellId> {
         let Cavity { rim, ridges, .. } = cavity;
         let Ridges { facets, table, made, .. } = ridges;
         table.resize(usize::from(NAMES) * usize::from(NAMES), FacetId::from_index(0));

@@ -49,6 +49,14 @@ pub(super) fn in_circle_rows([a, b, c, d]: [&[f64; 2]; 4]) -> ([[f64; 2]; 3], [f
     (rows, rows.map(|v| v[0] * v[0] + v[1] * v[1]))
 }
 
+/// Differences to the last point in two coordinates, and their squared lengths in all three.
+pub(super) fn in_circle_of_space_rows([a, b, c, d]: [&[f64; 3]; 4]) -> ([[f64; 2]; 3], [f64; 3]) {
+    let rows = [a, b, c].map(|v| [v[0] - d[0], v[1] - d[1]]);
+    let z = [a, b, c].map(|v| v[2] - d[2]);
+    let height = |i: usize| rows[i][0] * rows[i][0] + rows[i][1] * rows[i][1] + z[i] * z[i];
+    (rows, [height(0), height(1), height(2)])
+}
+
 #[inline(always)]
 pub(crate) fn in_circle(points: [&[f64; 2]; 4]) -> f64 {
     let ([p, q, r], h) = in_circle_rows(points);
