@@ -13,6 +13,7 @@ pub struct Cgal {
     child: Child,
     to: ChildStdin,
     from: BufReader<ChildStdout>,
+    seconds: f64,
 }
 
 /// What CGAL answers.
@@ -43,7 +44,7 @@ impl Cgal {
         };
         let to = child.stdin.take().expect("its input is piped");
         let from = BufReader::new(child.stdout.take().expect("its output is piped"));
-        Some(Self { child, to, from })
+        Some(Self { child, to, from, seconds: 0.0 })
     }
 
     /// The Delaunay triangulation of distinct points in the plane or in space.
@@ -63,6 +64,12 @@ impl Cgal {
         self.ask(&request)
     }
 
+    /// What the last construction took, by its own clock.
+    #[must_use]
+    pub const fn seconds(&self) -> f64 {
+        self.seconds
+    }
+
     fn ask(&mut self, request: &str) -> Answer {
         self.to.write_all(request.as_bytes()).expect("CGAL listens");
         self.to.flush().expect("CGAL listens");
@@ -73,6 +80,7 @@ impl Cgal {
         let mut words = rest.split_whitespace();
         let dimension: i32 = words.next().and_then(|w| w.parse().ok()).expect("a dimension");
         let count: usize = words.next().and_then(|w| w.parse().ok()).expect("a count");
+        self.seconds = words.next().and_then(|w| w.parse().ok()).expect("seconds");
         let mut cells: Vec<Vec<u32>> = Vec::with_capacity(count);
         for _ in 0..count {
             let line = self.line();

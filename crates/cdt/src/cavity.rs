@@ -22,7 +22,7 @@
 //! | an edge with both triangles crossed, itself not | comes twice in a chain, its new triangles are glued to each other | `a_dangling_edge_is_triangulated_on_both_sides` |
 //! | all sites in line | the mesh is a chain, its cells are the edges | `a_chain_has_its_segments` |
 
-use delone_mesh::{Cavity, CellId, HalfEdge, Mesh, VertexId};
+use delone_mesh::{CellId, HalfEdge, Mesh, VertexId};
 use delone_predicates::{PlaneKernel, Sign};
 use delone_probe::{Event, Probe};
 use delone_sites::scatter;
@@ -69,7 +69,8 @@ struct Work<'k, K> {
     cell_of: Vec<CellId>,
     /// By half-edge.
     constrained: Vec<bool>,
-    cavity: Cavity<2>,
+    /// The cavity: the triangles that the segment crosses.
+    dug: Vec<CellId>,
     filler: Filler,
     /// Half-edges of the chains, seen from inside the cavity.
     lower: Vec<HalfEdge>,
@@ -90,7 +91,7 @@ impl<'k, K: PlaneKernel> Work<'k, K> {
             kernel,
             cell_of,
             constrained,
-            cavity: Cavity::new(),
+            dug: Vec::new(),
             filler: Filler::default(),
             lower: Vec::new(),
             upper: Vec::new(),
@@ -157,8 +158,8 @@ impl<'k, K: PlaneKernel> Work<'k, K> {
         self.glue_chains();
         self.mesh.glue(below, above);
         self.mark(below);
-        self.cavity.cells().iter().for_each(|&cell| self.mesh.retire(cell));
-        probe.on(Event::Cavity { cells: self.cavity.cells().len() });
+        self.dug.iter().for_each(|&cell| self.mesh.retire(cell));
+        probe.on(Event::Cavity { cells: self.dug.len() });
         probe.on(Event::Subsegment);
     }
 
@@ -181,7 +182,8 @@ impl<'k, K: PlaneKernel> Work<'k, K> {
     /// Digs all triangles that the segment crosses, and collects the two chains from `a` to `b`.
     fn dig_along(&mut self, a: VertexId, b: VertexId, probe: &mut impl Probe) {
         let mut crossed = self.way_out(a, b, probe);
-        self.cavity.begin(crossed.cell());
+        self.dug.clear();
+        self.dug.push(crossed.cell());
         self.lower.clear();
         self.upper.clear();
         self.lower.push(self.mesh.prev(crossed));
@@ -192,7 +194,7 @@ impl<'k, K: PlaneKernel> Work<'k, K> {
             let h = self.mesh.twin(crossed);
             let x = self.mesh.apex(h);
             assert!(!x.is_ghost(), "Inv 2: a segment stays inside the hull");
-            self.cavity.dig(h.cell());
+            self.dug.push(h.cell());
             let (right, left) = (self.mesh.next(h), self.mesh.prev(h)); // r to x, x to l
             if x == b {
                 self.lower.push(right);
