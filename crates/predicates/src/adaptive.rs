@@ -49,6 +49,10 @@ impl<P> Adaptive<P> {
         with_points(&self.points, simplex, q, answer)
     }
 
+    pub(crate) const fn points(&self) -> &P {
+        &self.points
+    }
+
     /// A kernel over these points, whose static filters have these bounds.
     #[inline(always)]
     pub(crate) const fn bounded(points: P, bounds: Bounds) -> Self {
@@ -62,6 +66,10 @@ impl<P> Adaptive<P> {
 }
 
 impl<P> Exact<P> {
+    pub(crate) const fn points(&self) -> &P {
+        &self.points
+    }
+
     /// A kernel over these points.
     pub const fn new(points: P) -> Self {
         Self { points }

@@ -38,6 +38,13 @@ impl Approximate {
         Self { value, error: value.abs() * (U * SLACK) + GUARD }
     }
 
+    /// A number of which nothing is known.
+    #[inline]
+    #[must_use]
+    pub const fn unknown(_value: f64) -> Self {
+        Self { value: 0.0, error: f64::INFINITY }
+    }
+
     /// The sign, if the bound allows only one.
     #[inline]
     #[must_use]

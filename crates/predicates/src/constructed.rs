@@ -197,14 +197,14 @@ impl<const D: usize> Constructed<D> {
         place != PLAIN && self.values[place as usize].rounded
     }
 
-    fn exact_at(&self, v: usize) -> Homogeneous<Dyadic, D> {
+    pub(crate) fn exact_at(&self, v: usize) -> Homogeneous<Dyadic, D> {
         match self.places[v] {
             PLAIN => Homogeneous::plain(self.positions[v].map(Dyadic::from)),
             place => self.values[place as usize].exact.clone(),
         }
     }
 
-    fn approximate_at(&self, v: usize) -> Homogeneous<Approximate, D> {
+    pub(crate) fn approximate_at(&self, v: usize) -> Homogeneous<Approximate, D> {
         let rounded = self.is_rounded(v);
         let near = |x| if rounded { Approximate::nearest(x) } else { Approximate::exact(x) };
         Homogeneous::plain(self.positions[v].map(near))

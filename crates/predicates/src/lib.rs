@@ -17,6 +17,7 @@
 //! | many points with ids, an algorithm to write | [`Kernel`], with [`Adaptive`] |
 //! | sites with weights, for regular triangulations | [`Weighted`] |
 //! | points on segments, crossings of lines and planes, exact | [`Constructed`] |
+//! | lengths, angles, radii to compare | [`Metric`], which these kernels are |
 //! | doubts about a filter | [`Exact`], the same answers without filters |
 //! | an opponent to compare with | [`RobustCrate`] (expansions), [`Naive`] (plain doubles) |
 //! | to know what is asked, and which stage answers | [`Counting`] around any kernel |
@@ -44,6 +45,7 @@ mod exact;
 mod filter;
 mod int;
 mod kernel;
+mod metric;
 mod naive;
 pub mod perturb;
 mod projected;
@@ -60,6 +62,7 @@ pub use constructed::{Constructed, Construction, ConstructionError};
 pub use counting::{Counting, Question, Tally};
 pub use dyadic::Dyadic;
 pub use kernel::{Id, Kernel, PlaneKernel, all_axes};
+pub use metric::Metric;
 pub use naive::Naive;
 pub use projected::Projected;
 pub use ring::{Homogeneous, Ring};

@@ -70,7 +70,7 @@ fn parameter(rng: &mut Rng) -> Dyadic {
     }
 }
 
-fn dyadic(t: &Dyadic) -> Rational {
+pub(crate) fn dyadic(t: &Dyadic) -> Rational {
     let limbs = t.mantissa().iter().rev();
     let mantissa = limbs.fold(Rational::new(), |sum, &limb| (sum << 64) + Rational::from(limb));
     let exponent = i32::try_from(t.exponent()).expect("small");
@@ -149,7 +149,7 @@ fn leibniz(rows: &[Vec<Rational>]) -> Rational {
 }
 
 /// The solution of n equations, if there is exactly one: by Gauss and Jordan.
-fn solved(mut rows: Vec<Vec<Rational>>) -> Option<Point> {
+pub(crate) fn solved(mut rows: Vec<Vec<Rational>>) -> Option<Point> {
     let n = rows.len();
     for column in 0..n {
         let pivot = (column..n).find(|&row| rows[row][column] != 0)?;
@@ -184,7 +184,7 @@ fn lexicographic(p: &Point, q: &Point) -> Ordering {
 }
 
 /// Whether `x` is the double nearest to `exact`, ties to even.
-fn assert_nearest(x: f64, exact: &Rational) {
+pub(crate) fn assert_nearest(x: f64, exact: &Rational) {
     if !x.is_finite() {
         let half = rational(f64::MAX - f64::MAX.next_down()) / 2;
         assert!(exact.clone().abs() >= rational(f64::MAX) + half, "{x} is {exact}");

@@ -11,6 +11,7 @@
 //! | `constructed` | points on segments, crossings of lines and planes, against rationals |
 //! | `headroom` | determinants that fill the exact integers |
 //! | `fixtures` | the collected ones of another program |
+//! | `metric` | lengths, angles and radii, against rationals |
 //! | `known` | inputs on which other programs are wrong |
 
 mod algebra;
@@ -20,5 +21,6 @@ mod fixtures;
 mod headroom;
 mod inputs;
 mod known;
+mod metric;
 mod oracle;
 mod signs;
