@@ -5,6 +5,10 @@ use delone_predicates::{Adaptive, Exact, Kernel, PlaneKernel, Sign, Weighted};
 use crate::oracle;
 use crate::random::{Random, power_of_two};
 
+mod constructed;
+
+pub use constructed::round_of_constructed;
+
 /// Kinds of points.
 const KINDS: u64 = 10;
 

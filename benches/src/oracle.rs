@@ -14,7 +14,7 @@ fn integers<const D: usize>(points: &[[f64; D]]) -> Vec<[Integer; D]> {
 }
 
 /// Scaled by shifts: quicker than over rationals, for the benchmark and the soak.
-fn shifted<const D: usize>(points: &[[f64; D]]) -> Vec<[Integer; D]> {
+pub(crate) fn shifted<const D: usize>(points: &[[f64; D]]) -> Vec<[Integer; D]> {
     let decode = |x: f64| {
         let bits = x.to_bits();
         let field = (bits >> 52 & 0x7ff).max(1);
@@ -35,7 +35,7 @@ fn shifted<const D: usize>(points: &[[f64; D]]) -> Vec<[Integer; D]> {
 }
 
 /// The determinant by cofactors along the first column.
-fn cofactors(rows: &[Vec<Integer>]) -> Integer {
+pub(crate) fn cofactors(rows: &[Vec<Integer>]) -> Integer {
     match rows {
         [] => Integer::from(1),
         [row] => row[0].clone(),
@@ -53,7 +53,7 @@ fn cofactors(rows: &[Vec<Integer>]) -> Integer {
     }
 }
 
-fn sign(value: &Integer) -> i8 {
+pub(crate) fn sign(value: &Integer) -> i8 {
     match value.cmp0() {
         std::cmp::Ordering::Less => -1,
         std::cmp::Ordering::Equal => 0,

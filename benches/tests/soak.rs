@@ -1,6 +1,8 @@
 //! A small soak in every test run, and the oracle against its second formulation.
 
-use delone_benches::adversary::{Tally, points, round, round_of_cross, round_of_power};
+use delone_benches::adversary::{
+    Tally, points, round, round_of_constructed, round_of_cross, round_of_power,
+};
 use delone_benches::oracle;
 use delone_benches::predicates::{Input, Predicate, contestants, tuples};
 use delone_benches::random::Random;
@@ -33,6 +35,13 @@ fn power_tests_agree_with_the_oracle() {
     soak(20, 400, round_of_power::<2, 4>);
     soak(21, 400, round_of_power::<3, 5>);
     soak(22, 40, round_of_power::<4, 6>);
+}
+
+#[test]
+fn constructed_points_agree_with_the_oracle() {
+    soak(23, 300, round_of_constructed::<2>);
+    soak(24, 150, round_of_constructed::<3>);
+    soak(25, 20, round_of_constructed::<4>);
 }
 
 #[test]

@@ -67,6 +67,16 @@ impl<P> Adaptive<P> {
         [point[x], point[y], point[3 - x - y]]
     }
 
+    pub(crate) const fn points(&self) -> &P {
+        &self.points
+    }
+
+    /// A kernel over these points, whose static filters have these bounds.
+    #[inline(always)]
+    pub(crate) const fn bounded(points: P, bounds: Bounds) -> Self {
+        Self { points, bounds }
+    }
+
     /// A kernel over these points without static filters, made without a look at them: for a few calls on many points.
     pub const fn dynamic(points: P) -> Self {
         Self { points, bounds: Bounds::NONE }
@@ -74,6 +84,10 @@ impl<P> Adaptive<P> {
 }
 
 impl<P> Exact<P> {
+    pub(crate) const fn points(&self) -> &P {
+        &self.points
+    }
+
     /// A kernel over these points.
     pub const fn new(points: P) -> Self {
         Self { points }

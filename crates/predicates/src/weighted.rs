@@ -46,7 +46,11 @@ impl<P, W: AsRef<[f64]>> Weighted<P, W> {
         Self { sites: Adaptive::new(points), weights }
     }
 
-    fn weight(&self, v: impl Id) -> f64 {
+    pub(crate) const fn sites(&self) -> &Adaptive<P> {
+        &self.sites
+    }
+
+    pub(crate) fn weight(&self, v: impl Id) -> f64 {
         self.weights.as_ref()[v.index()]
     }
 

@@ -1,0 +1,193 @@
+//! Comparisons of lengths, angles and radii: what alpha shapes and mesh refinement ask besides.
+//!
+//! **Stages.** The formula in doubles that carry their error bounds ([`Approximate`]); where these do not decide, the same
+//! formula in dyadic numbers of any length ([`Dyadic`]).
+//!
+//! **The radius.** With the edges v_i from the first vertex of a k-simplex, their Gram matrix G and heights h_i = |v_i|^2,
+//! the centre is at sum l_i v_i with 2 G l = h, and the squared radius is h^T adj(G) h / (4 det G): in any dimension, degree 2k + 2 over
+//! 2k. With weights, h_i = |v_i|^2 - w_i + w_0, and the squared radius of the orthogonal sphere is that less w_0.
+//!
+//! **Degeneracies.**
+//! | case | answer | test |
+//! |---|---|---|
+//! | a flat simplex | its radius is infinite, greater than all others and equal to each such | `flat_simplices_have_an_infinite_radius` |
+//! | one vertex | squared radius 0, or its weight negated | `the_radius_of_a_vertex_is_its_weight` |
+//! | an angle with an empty side | counts as zero | `an_angle_with_an_empty_side_is_zero` |
+//! | equal radii of different simplices | equal | `radii_on_a_grid_tie` |
+
+use std::cmp::Ordering;
+
+use smallvec::SmallVec;
+
+use crate::adaptive::{Adaptive, Exact, point};
+use crate::dyadic::nearest_ratio;
+use crate::kernel::{Id, Kernel};
+use crate::ring::Homogeneous;
+use crate::{Approximate, Constructed, Dyadic, Weighted};
+use formulas::{Radius, Signed};
+
+mod formulas;
+#[cfg(test)]
+mod tests;
+
+/// The vertices of a simplex in numbers of one kind, and their weights if they have any.
+type Simplex<T, const D: usize> = (SmallVec<[Homogeneous<T, D>; 4]>, Option<SmallVec<[T; 4]>>);
+
+/// A kernel that also compares lengths, angles and radii, exactly.
+///
+/// ```
+/// use std::cmp::Ordering;
+/// use delone_predicates::{Adaptive, Metric};
+/// let kernel = Adaptive::new([[0.0, 0.0], [3.0, 0.0], [0.0, 4.0], [0.6, 0.8]]);
+/// assert_eq!(kernel.compare_radius(&[0usize, 1, 2], 6.25), Ordering::Equal); // 2.5 squared
+/// assert_eq!(kernel.squared_radius(&[1usize, 2]), 6.25);
+/// assert_eq!(kernel.compare_radii(&[0usize, 1, 2], &[1, 2]), Ordering::Equal);
+/// assert_eq!(kernel.compare_lengths([0usize, 1], [0, 2]), Ordering::Less);
+/// assert_eq!(kernel.compare_angles([0usize, 1, 2], [0, 2, 1]), Ordering::Greater); // at 1, at 2
+/// ```
+pub trait Metric<const D: usize>: Kernel<D> {
+    /// The point of a vertex, each coordinate off by a known bound.
+    fn approximate_point<V: Id>(&self, v: V) -> Homogeneous<Approximate, D>;
+
+    /// The point of a vertex.
+    fn exact_point<V: Id>(&self, v: V) -> Homogeneous<Dyadic, D>;
+
+    /// The weight of a vertex, in a kernel of weighted sites.
+    #[inline]
+    fn weight_of<V: Id>(&self, _v: V) -> Option<f64> {
+        None
+    }
+
+    /// Whether |ab| is less than, equal to or greater than |cd|.
+    fn compare_lengths<V: Id>(&self, ab: [V; 2], cd: [V; 2]) -> Ordering {
+        let [near_ab, near_cd] = [ab, cd].map(|ends| ends.map(|v| self.approximate_point(v)));
+        formulas::compare_lengths(&near_ab, &near_cd).unwrap_or_else(|| {
+            let [ab, cd] = [ab, cd].map(|ends| ends.map(|v| self.exact_point(v)));
+            certain(formulas::compare_lengths(&ab, &cd))
+        })
+    }
+
+    /// The order of two angles between 0 and 180 degrees, each of three vertices and at the second of them.
+    fn compare_angles<V: Id>(&self, abc: [V; 3], def: [V; 3]) -> Ordering {
+        let [near_abc, near_def] = [abc, def].map(|angle| angle.map(|v| self.approximate_point(v)));
+        formulas::compare_angles(&near_abc, &near_def).unwrap_or_else(|| {
+            let [abc, def] = [abc, def].map(|angle| angle.map(|v| self.exact_point(v)));
+            certain(formulas::compare_angles(&abc, &def))
+        })
+    }
+
+    /// The order of the radii of the circumspheres of two simplices of one to D+1 vertices, each within its flat; with weights,
+    /// of the squared radii of the spheres orthogonal to them, which may be negative. That of a flat simplex is infinite.
+    ///
+    /// # Panics
+    /// If a simplex has no vertices.
+    fn compare_radii<V: Id>(&self, s: &[V], t: &[V]) -> Ordering {
+        let near = [s, t].map(|simplex| approximate_radius(self, simplex));
+        near[0].compare(&near[1]).unwrap_or_else(|| {
+            let [s, t] = [s, t].map(|simplex| exact_radius(self, simplex));
+            certain(s.compare(&t))
+        })
+    }
+
+    /// The order of the squared radius of a simplex, as in [`Metric::compare_radii`], and a bound, which may be infinite.
+    ///
+    /// # Panics
+    /// If the simplex has no vertices, or the bound is not a number.
+    fn compare_radius<V: Id>(&self, simplex: &[V], bound: f64) -> Ordering {
+        assert!(!bound.is_nan(), "a bound is a number");
+        if !bound.is_finite() {
+            let flat = || exact_radius(self, simplex).is_infinite();
+            let infinite = bound > 0.0 && flat();
+            return if infinite { Ordering::Equal } else { 0.0f64.total_cmp(&bound) };
+        }
+        let near = approximate_radius(self, simplex);
+        near.compare(&Radius::of_square(Approximate::exact(bound))).unwrap_or_else(|| {
+            certain(exact_radius(self, simplex).compare(&Radius::of_square(Dyadic::from(bound))))
+        })
+    }
+
+    /// The double nearest to the squared radius of a simplex, as in [`Metric::compare_radii`].
+    ///
+    /// # Panics
+    /// If the simplex has no vertices.
+    fn squared_radius<V: Id>(&self, simplex: &[V]) -> f64 {
+        let radius = exact_radius(self, simplex);
+        if radius.is_infinite() {
+            return f64::INFINITY;
+        }
+        nearest_ratio(&radius.numerator, &radius.denominator)
+    }
+}
+
+/// What a formula says in exact numbers.
+fn certain<A>(answer: Option<A>) -> A {
+    answer.expect("exact numbers have a sign")
+}
+
+fn approximate_radius<const D: usize, V: Id, K: Metric<D> + ?Sized>(
+    kernel: &K,
+    simplex: &[V],
+) -> Radius<Approximate> {
+    radius(kernel, simplex, |v| kernel.approximate_point(v), Approximate::exact)
+}
+
+fn exact_radius<const D: usize, V: Id, K: Metric<D> + ?Sized>(
+    kernel: &K,
+    simplex: &[V],
+) -> Radius<Dyadic> {
+    radius(kernel, simplex, |v| kernel.exact_point(v), Dyadic::from)
+}
+
+fn radius<T: Signed, const D: usize, V: Id, K: Metric<D> + ?Sized>(
+    kernel: &K,
+    simplex: &[V],
+    point: impl Fn(V) -> Homogeneous<T, D>,
+    number: impl Fn(f64) -> T,
+) -> Radius<T> {
+    let points = simplex.iter().map(|&v| point(v)).collect();
+    let weights = simplex.iter().map(|&v| kernel.weight_of(v).map(&number)).collect();
+    let (points, weights): Simplex<T, D> = (points, weights);
+    Radius::of_simplex(&points, weights.as_deref())
+}
+
+/// For kernels over plain points.
+macro_rules! plain {
+    ($kernel:ident, $near:expr) => {
+        impl<const D: usize, P: AsRef<[[f64; D]]>> Metric<D> for $kernel<P> {
+            fn approximate_point<V: Id>(&self, v: V) -> Homogeneous<Approximate, D> {
+                Homogeneous::plain(point(self.points(), v).map($near))
+            }
+
+            fn exact_point<V: Id>(&self, v: V) -> Homogeneous<Dyadic, D> {
+                Homogeneous::plain(point(self.points(), v).map(Dyadic::from))
+            }
+        }
+    };
+}
+
+plain!(Adaptive, Approximate::exact);
+plain!(Exact, Approximate::unknown); // no filter
+
+impl<const D: usize, P: AsRef<[[f64; D]]>, W: AsRef<[f64]>> Metric<D> for Weighted<P, W> {
+    fn approximate_point<V: Id>(&self, v: V) -> Homogeneous<Approximate, D> {
+        self.sites().approximate_point(v)
+    }
+
+    fn exact_point<V: Id>(&self, v: V) -> Homogeneous<Dyadic, D> {
+        self.sites().exact_point(v)
+    }
+
+    fn weight_of<V: Id>(&self, v: V) -> Option<f64> {
+        Some(self.weight(v))
+    }
+}
+
+impl<const D: usize> Metric<D> for Constructed<D> {
+    fn approximate_point<V: Id>(&self, v: V) -> Homogeneous<Approximate, D> {
+        self.approximate_at(v.index())
+    }
+
+    fn exact_point<V: Id>(&self, v: V) -> Homogeneous<Dyadic, D> {
+        self.exact_at(v.index())
+    }
+}

@@ -1,0 +1,94 @@
+use super::*;
+
+/// A grid of 27 points, and its centre.
+fn grid() -> Vec<[f64; 3]> {
+    (0..27u8).map(|i| [i / 9, i / 3 % 3, i % 3].map(f64::from)).collect()
+}
+
+#[test]
+fn flat_simplices_have_an_infinite_radius() {
+    let kernel = Adaptive::new([[0.1, 0.1], [0.2, 0.2], [0.3, 0.3], [5.0, 1.0], [0.1, 0.1]]);
+    assert_eq!(kernel.squared_radius(&[0usize, 4]), f64::INFINITY);
+    assert_eq!(kernel.compare_radii(&[0usize, 4], &[0, 1, 2]), Ordering::Equal);
+    assert_eq!(kernel.compare_radii(&[0usize, 4], &[0, 1, 3]), Ordering::Greater);
+    assert_eq!(kernel.compare_radius(&[0usize, 4], f64::INFINITY), Ordering::Equal);
+    assert_eq!(kernel.compare_radius(&[0usize, 4], f64::MAX), Ordering::Greater);
+    assert_eq!(kernel.compare_radius(&[0usize, 3], f64::INFINITY), Ordering::Less);
+    assert_eq!(kernel.compare_radius(&[0usize, 4], f64::NEG_INFINITY), Ordering::Greater);
+}
+
+#[test]
+fn the_radius_of_a_vertex_is_its_weight() {
+    let points = [[0.3, 0.7], [5e-324, 1e300]];
+    let plain = Adaptive::new(points);
+    assert_eq!(plain.squared_radius(&[1usize]), 0.0);
+    assert_eq!(plain.compare_radius(&[1usize], 0.0), Ordering::Equal);
+    let weighted = Weighted::new(points, [0.1, -3.0]);
+    assert_eq!(weighted.squared_radius(&[0usize]), -0.1);
+    assert_eq!(weighted.compare_radius(&[1usize], 3.0), Ordering::Equal);
+    assert_eq!(weighted.compare_radii(&[0usize], &[1]), Ordering::Less);
+}
+
+#[test]
+fn an_angle_with_an_empty_side_is_zero() {
+    let kernel = Adaptive::new([[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [0.0, 1.0], [0.0, 0.0]]);
+    let right = [1usize, 0, 3];
+    assert_eq!(kernel.compare_angles([1usize, 0, 2], [1, 0, 4]), Ordering::Equal);
+    assert_eq!(kernel.compare_angles([1usize, 0, 4], right), Ordering::Less);
+    assert_eq!(kernel.compare_angles([0usize, 1, 2], right), Ordering::Greater, "180 degrees");
+    assert_eq!(kernel.compare_angles([3usize, 0, 1], right), Ordering::Equal);
+}
+
+#[test]
+fn radii_on_a_grid_tie() {
+    let (adaptive, exact) = (Adaptive::new(grid()), Exact::new(grid()));
+    // The 2 x 2 x 2 cube's circumsphere, through four of its corners, as that of a diagonal.
+    let cube = [0usize, 2, 6, 18];
+    for kernel_says in
+        [adaptive.compare_radii(&cube, &[0, 26]), exact.compare_radii(&cube, &[0, 26])]
+    {
+        assert_eq!(kernel_says, Ordering::Equal);
+    }
+    assert_eq!(adaptive.squared_radius(&cube), 3.0);
+    assert_eq!(adaptive.compare_radii(&cube, &[0, 2, 6]), Ordering::Greater);
+    assert_eq!(adaptive.compare_radii(&[0usize, 2, 6], &[2, 6]), Ordering::Equal);
+}
+
+/// All right triangles of a grid: the squared radius is a quarter of the squared hypotenuse.
+#[test]
+fn right_triangles_have_half_the_hypotenuse() {
+    let (points, mut count) = (grid(), 0);
+    let kernel = Adaptive::new(&points);
+    let square =
+        |a: usize, b: usize| (0..3).map(|x| (points[a][x] - points[b][x]).powi(2)).sum::<f64>();
+    for code in 0..27usize.pow(3) {
+        let [a, b, c] = [code % 27, code / 27 % 27, code / 729];
+        let [ab, bc, ca] = [square(a, b), square(b, c), square(c, a)];
+        if a != b && b != c && ab + bc == ca {
+            assert_eq!(kernel.compare_radius(&[a, b, c], ca / 4.0), Ordering::Equal);
+            assert_eq!(kernel.compare_radius(&[a, b, c], (ca / 4.0).next_up()), Ordering::Less);
+            assert_eq!(
+                kernel.compare_radius(&[a, b, c], (ca / 4.0).next_down()),
+                Ordering::Greater
+            );
+            let sides = kernel.compare_lengths([a, b], [b, c]);
+            assert_eq!(sides, ab.total_cmp(&bc));
+            assert_eq!(kernel.compare_angles([b, c, a], [c, a, b]), sides, "the longer side's");
+            count += 1;
+        }
+    }
+    assert!(count > 500, "{count}");
+}
+
+#[test]
+fn lengths_are_right_at_both_ends_of_the_range() {
+    let tiny = Adaptive::new([[0.0, 0.0], [5e-324, 0.0], [5e-324, 5e-324], [0.0, 1e-323]]);
+    assert_eq!(tiny.compare_lengths([0usize, 1], [0, 2]), Ordering::Less);
+    assert_eq!(tiny.compare_lengths([0usize, 3], [0, 2]), Ordering::Greater);
+    assert_eq!(tiny.compare_radii(&[0usize, 1, 2], &[0, 2]), Ordering::Equal);
+    let huge =
+        Adaptive::new([[-f64::MAX, 0.0], [f64::MAX, 0.0], [0.0, f64::MAX], [0.0, -f64::MAX]]);
+    assert_eq!(huge.compare_lengths([0usize, 1], [2, 3]), Ordering::Equal);
+    assert_eq!(huge.compare_lengths([0usize, 2], [1, 0]), Ordering::Less);
+    assert_eq!(huge.compare_radii(&[0usize, 1, 2], &[2, 3]), Ordering::Equal);
+}
