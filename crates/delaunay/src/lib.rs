@@ -19,6 +19,7 @@
 //! | [`bowyer_watson()`] | \[Bow81\], \[Wat81\] | expected O(n log n) in the plane | any dimension, your own kernel |
 //! | [`flips()`] | \[Law77\], \[GKS92\] | expected O(n log n) | the plane, to compare |
 //! | [`flip_to_delaunay`] | \[Law77\] | O(n^2) | you have some triangulation of the plane |
+//! | [`regular()`] | \[ES96\] | expected O(n log n) in the plane | sites have weights |
 //! | [`naive_delaunay`] | the definition | O(n^(D+2)) | to test the others |
 //!
 //! # Contract
@@ -36,6 +37,7 @@ mod flips;
 mod locate;
 mod naive;
 mod registry;
+mod regular;
 mod result;
 
 pub use bowyer_watson::bowyer_watson;
@@ -45,6 +47,7 @@ pub use flips::{flip_to_delaunay, flips};
 pub use locate::{Coin, walk};
 pub use naive::{naive_delaunay, naive_mesh};
 pub use registry::{Algorithm, KernelKind, Options, Order, algorithms, delaunay};
+pub use regular::{Regular, regular};
 pub use result::{Delaunay, Fingerprint};
 
 #[cfg(test)]

@@ -102,7 +102,7 @@ pub fn algorithms<const D: usize>() -> Vec<Algorithm<D>> {
     rows.push(Algorithm {
         name: "naive",
         papers: &["DT11"],
-        sites_max: 40,
+        sites_max: 24,
         run: naive,
         run_with: |sites, options, probe| {
             let result = naive(sites, options);
