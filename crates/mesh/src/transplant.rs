@@ -8,7 +8,7 @@ use crate::{Cavity, CellId, FacetId, Mesh, VertexId};
 
 impl<const D: usize> Mesh<D> {
     /// Replaces the cells of `hole` by those of `graft` in `donor`, whose vertices are renamed by `name` (the ghost keeps
-    /// its name); returns one of the new cells.
+    /// its name); returns the new cells.
     ///
     /// # Panics
     /// If the two rims are not the same facets.
@@ -18,7 +18,7 @@ impl<const D: usize> Mesh<D> {
         donor: &Self,
         graft: &Cavity<D>,
         name: impl Fn(VertexId) -> VertexId,
-    ) -> CellId {
+    ) -> Vec<CellId> {
         let rename = |v: VertexId| if v.is_ghost() { v } else { name(v) };
         let mut images: Vec<(CellId, CellId)> = Vec::with_capacity(graft.cells().len());
         for &cell in graft.cells() {
@@ -46,6 +46,6 @@ impl<const D: usize> Mesh<D> {
             self.glue(rim[place].1, self.twin(inside));
         }
         hole.cells().iter().for_each(|&cell| self.retire(cell));
-        images[0].1
+        images.into_iter().map(|(_, image)| image).collect()
     }
 }
