@@ -2,10 +2,11 @@
 //
 // In: requests, one after the other, until the end of input.
 //   delaunay2 N      then N lines  x y        delaunay3 N   then N lines  x y z
+//   regular2 N       then N lines  x y w      regular3 N    then N lines  x y z w   (w is the weight)
 //   cdt N M          then N lines  x y, then M lines  i j
 // Coordinates are the 16 hexadecimal digits of the double's bits, so that nothing is rounded on the way.
 // Out, for each request:
-//   ok DIMENSION K SECONDS    then K lines of DIMENSION + 1 ids, the finite cells
+//   ok DIMENSION K SECONDS    then K lines of DIMENSION + 1 ids, the finite cells; hidden points are in none
 //   refused MESSAGE           CGAL threw, for instance because constraints intersect
 // The construction alone is timed.
 
@@ -21,6 +22,8 @@
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Regular_triangulation_2.h>
+#include <CGAL/Regular_triangulation_3.h>
 #include <CGAL/Triangulation_cell_base_3.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
@@ -41,6 +44,18 @@ using Vertex3 = CGAL::Triangulation_vertex_base_with_info_3<Id, Kernel>;
 using Structure3 =
     CGAL::Triangulation_data_structure_3<Vertex3, CGAL::Delaunay_triangulation_cell_base_3<Kernel>>;
 using Delaunay3 = CGAL::Delaunay_triangulation_3<Kernel, Structure3>;
+
+using RegularVertex2 =
+    CGAL::Triangulation_vertex_base_with_info_2<Id, Kernel, CGAL::Regular_triangulation_vertex_base_2<Kernel>>;
+using Regular2 = CGAL::Regular_triangulation_2<
+    Kernel,
+    CGAL::Triangulation_data_structure_2<RegularVertex2, CGAL::Regular_triangulation_face_base_2<Kernel>>>;
+
+using RegularVertex3 =
+    CGAL::Triangulation_vertex_base_with_info_3<Id, Kernel, CGAL::Regular_triangulation_vertex_base_3<Kernel>>;
+using Regular3 = CGAL::Regular_triangulation_3<
+    Kernel,
+    CGAL::Triangulation_data_structure_3<RegularVertex3, CGAL::Regular_triangulation_cell_base_3<Kernel>>>;
 
 namespace {
 
@@ -72,7 +87,7 @@ void answer(int dimension, const Cells& cells, double seconds) {
 }
 
 template <class Triangulation>
-Cells cells_of(const Triangulation& t) {
+Cells cells_of_2(const Triangulation& t) {
   Cells cells;
   if (t.dimension() == 2) {
     for (const auto f : t.finite_face_handles())
@@ -88,7 +103,8 @@ Cells cells_of(const Triangulation& t) {
   return cells;
 }
 
-Cells cells_of(const Delaunay3& t) {
+template <class Triangulation>
+Cells cells_of_3(const Triangulation& t) {
   Cells cells;
   if (t.dimension() == 3) {
     for (const auto c : t.finite_cell_handles())
@@ -125,7 +141,7 @@ void delaunay2() {
   const Clock clock;
   const Delaunay2 t(points.begin(), points.end());
   const double seconds = clock.seconds();
-  answer(t.dimension(), cells_of(t), seconds);
+  answer(t.dimension(), cells_of_2(t), seconds);
 }
 
 void delaunay3() {
@@ -142,7 +158,42 @@ void delaunay3() {
   const Clock clock;
   const Delaunay3 t(points.begin(), points.end());
   const double seconds = clock.seconds();
-  answer(t.dimension(), cells_of(t), seconds);
+  answer(t.dimension(), cells_of_3(t), seconds);
+}
+
+void regular2() {
+  std::size_t n;
+  std::cin >> n;
+  std::vector<std::pair<Kernel::Weighted_point_2, Id>> points;
+  points.reserve(n);
+  for (Id i = 0; i < n; ++i) {
+    const double x = read_double();
+    const double y = read_double();
+    const double w = read_double();
+    points.emplace_back(Kernel::Weighted_point_2(Kernel::Point_2(x, y), w), i);
+  }
+  const Clock clock;
+  const Regular2 t(points.begin(), points.end());
+  const double seconds = clock.seconds();
+  answer(t.dimension(), cells_of_2(t), seconds);
+}
+
+void regular3() {
+  std::size_t n;
+  std::cin >> n;
+  std::vector<std::pair<Kernel::Weighted_point_3, Id>> points;
+  points.reserve(n);
+  for (Id i = 0; i < n; ++i) {
+    const double x = read_double();
+    const double y = read_double();
+    const double z = read_double();
+    const double w = read_double();
+    points.emplace_back(Kernel::Weighted_point_3(Kernel::Point_3(x, y, z), w), i);
+  }
+  const Clock clock;
+  const Regular3 t(points.begin(), points.end());
+  const double seconds = clock.seconds();
+  answer(t.dimension(), cells_of_3(t), seconds);
 }
 
 void cdt() {
@@ -158,7 +209,7 @@ void cdt() {
   for (auto v : t.finite_vertex_handles()) vertices[v->info()] = v;
   for (const auto& s : segments) t.insert_constraint(vertices[s.first], vertices[s.second]);
   const double seconds = clock.seconds();
-  answer(t.dimension(), cells_of(t), seconds);
+  answer(t.dimension(), cells_of_2(t), seconds);
 }
 
 }  // namespace
@@ -170,6 +221,8 @@ int main() {
     try {
       if (request == "delaunay2") delaunay2();
       else if (request == "delaunay3") delaunay3();
+      else if (request == "regular2") regular2();
+      else if (request == "regular3") regular3();
       else if (request == "cdt") cdt();
       else std::cout << "refused unknown request " << request << std::endl;
     } catch (const std::exception& e) {

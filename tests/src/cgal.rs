@@ -54,6 +54,18 @@ impl Cgal {
         self.ask(&request)
     }
 
+    /// The regular triangulation of distinct points of the plane or of space, with one weight for each.
+    pub fn regular<const D: usize>(&mut self, points: &[[f64; D]], weights: &[f64]) -> Answer {
+        let mut request = format!("regular{D} {}\n", points.len());
+        for (point, weight) in points.iter().zip(weights) {
+            for x in point.iter().chain([weight]) {
+                write!(request, "{:016x} ", x.to_bits()).expect("text grows");
+            }
+            request.push('\n');
+        }
+        self.ask(&request)
+    }
+
     /// The constrained Delaunay triangulation of distinct points and segments.
     pub fn cdt(&mut self, points: &[[f64; 2]], segments: &[[u32; 2]]) -> Answer {
         let mut request = format!("cdt {} {}\n", points.len(), segments.len());

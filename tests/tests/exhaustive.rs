@@ -13,7 +13,7 @@
 
 use delone::cdt::cavity;
 use delone::check::naive;
-use delone::delaunay::{Options, delaunay};
+use delone::delaunay::{Options, algorithms, delaunay};
 use delone::workloads::Rng;
 use delone_tests::case::Case;
 use delone_tests::judge::{Rigour, accept_constrained, accept_delaunay};
@@ -27,6 +27,12 @@ fn check_delaunay<const D: usize>(case: &Case<D>, by_definition: bool) {
     let sites = case.sites();
     let result = delaunay(&sites, &Options::default(), &mut ());
     accept_delaunay(case, &sites, &result, Rigour::Once);
+    for algorithm in algorithms::<D>() {
+        if algorithm.sites_max == usize::MAX || (by_definition && sites.len() <= 12) {
+            let other = (algorithm.run)(&sites, &Options::default());
+            assert_eq!(other.canonical(), result.canonical(), "{}: {}", case.name, algorithm.name);
+        }
+    }
     if by_definition {
         let definition = naive::delaunay(&case.points).concat();
         assert_eq!(result.canonical(), definition, "{}", case.name);

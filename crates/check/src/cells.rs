@@ -8,7 +8,7 @@
 use crate::exact::{Integer, Sign};
 use crate::fault::Fault;
 use crate::options::{Options, Orientation};
-use crate::sites::{check_finite, check_used, witness, witnesses};
+use crate::sites::{Unused, check_finite, check_used, check_weights, witness, witnesses};
 use crate::space::Space;
 use crate::verdict::Report;
 
@@ -47,15 +47,38 @@ impl<'a, const D: usize, I: Integer> Triangulation<'a, D, I> {
         options: &Options,
         report: &mut Report,
     ) -> Option<Self> {
+        let mut this = Self::read_cells(complex, None, options, report)?;
+        this.representative = check_used(complex.points, complex.cells, Unused::Fault, report);
+        Some(this)
+    }
+
+    /// The same for points with weights, of which some may be hidden: T8 says of those nothing.
+    pub(crate) fn read_weighted(
+        complex: &Complex<'a, D>,
+        weights: &'a [f64],
+        options: &Options,
+        report: &mut Report,
+    ) -> Option<Self> {
+        let mut this = Self::read_cells(complex, Some(weights), options, report)?;
+        this.representative = check_used(complex.points, complex.cells, Unused::Hidden, report);
+        Some(this)
+    }
+
+    fn read_cells(
+        complex: &Complex<'a, D>,
+        weights: Option<&'a [f64]>,
+        options: &Options,
+        report: &mut Report,
+    ) -> Option<Self> {
         let points = complex.points;
         let dimension = checked_shape(complex, report)?;
-        if !check_finite(points, report) {
+        if !(check_finite(points, report) && check_weights(points, weights, report)) {
             return None;
         }
         let stride = dimension + 1;
         let well_formed = check_ids(complex, stride, report);
         let mut this = Self {
-            space: Space::new(points, options.filtered),
+            space: Space::weighted(points, weights, options.filtered),
             dimension,
             cells: complex.cells.to_vec(),
             signs: well_formed.iter().map(|&ok| ok.then_some(Sign::Positive)).collect(),
@@ -67,7 +90,6 @@ impl<'a, const D: usize, I: Integer> Triangulation<'a, D, I> {
         if dimension < D {
             this.sound &= this.check_flat(frame, report);
         }
-        this.representative = check_used(points, complex.cells, report);
         Some(this)
     }
 

@@ -80,6 +80,9 @@ pub(crate) trait Arithmetic {
 
     /// `a - b`, times a positive factor that is the same in every call.
     fn difference(&self, a: f64, b: f64) -> Self::Number;
+
+    /// `a - b`, times the square of that factor.
+    fn weights(&self, a: f64, b: f64) -> Self::Number;
 }
 
 #[cfg(test)]

@@ -22,6 +22,8 @@ pub type Simplex = Vec<Witness>;
 pub enum Fault {
     /// A coordinate is NaN or infinite.
     NotFinite { point: Witness },
+    /// A weight is NaN or infinite.
+    WeightNotFinite { point: Witness, weight: f64 },
     /// A flat array does not hold a whole number of simplices, or two arrays differ in length.
     BadLength { array: &'static str, length: usize, expected: String },
     /// The dimension claimed is impossible for these points.
@@ -65,6 +67,10 @@ pub enum Fault {
     NotDelaunay { cell: Simplex, inside: Witness },
     /// A point is on the sphere of a cell next to it, and the perturbation puts it inside.
     WrongTie { cell: Simplex, inside: Witness },
+    /// A point is no vertex, and yet in conflict with a cell.
+    NotHidden { point: Witness, cell: Simplex },
+    /// A point is no vertex, and yet beyond a facet of the boundary.
+    BeyondHull { point: Witness, facet: Simplex },
     /// A segment has an endpoint that is not the id of a point.
     SegmentOutOfRange { segment: usize, id: u32, points: usize },
     /// A segment is not a chain of edges: none leads on from `stuck` towards the other end.
@@ -118,6 +124,9 @@ impl Fault {
             Self::DuplicatePoint { .. } => "duplicate-point",
             Self::NotDelaunay { .. } => "not-delaunay",
             Self::WrongTie { .. } => "wrong-tie",
+            Self::WeightNotFinite { .. } => "weight-not-finite",
+            Self::NotHidden { .. } => "not-hidden",
+            Self::BeyondHull { .. } => "beyond-hull",
             Self::SegmentOutOfRange { .. } => "segment-out-of-range",
             Self::BrokenSegment { .. } => "broken-segment",
             Self::MissingFlag { .. } => "missing-flag",

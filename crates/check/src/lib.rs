@@ -26,6 +26,7 @@
 //! | which one do I want | for | time |
 //! |---|---|---|
 //! | [`judge_delaunay`] | Delaunay in any dimension, or in a flat | sorts, O(1) signs per facet |
+//! | [`judge_regular`] | regular, with weights, in any dimension | the same, plus cells times hidden points |
 //! | [`judge_constrained`] | constrained Delaunay in the plane | the same, plus all chains |
 //! | [`judge_links`] | the twins and ghosts of a mesh | sorting |
 //! | [`naive`] | answers by definition, for tests | polynomial of high degree |
@@ -42,12 +43,12 @@
 //! the hull is global. Ties: by the perturbation that raises each height `|p|^2` by an
 //! infinitesimal that grows with lexicographic rank. It depends on no order of input.
 //!
-//! **Not here.** Weighted points, Steiner points, carved domains, quality, alpha complexes;
+//! **Not here.** Steiner points, carved domains, quality, alpha complexes;
 //! predicates of the algorithms, of which nothing is used; drawing; JSON (every field of a verdict
 //! is public, every fault has a text and a [kind](Fault::kind)).
 //!
 //! **Modules.** `exact` numbers, `space` predicates, `facets` pairing, `sites` T8, `cells` T1 T2,
-//! `triangulation` T3 T6 T7, `hull` T5 and the ray, `local` D2, `chains` K2 K3 K4, `links` T4.
+//! `triangulation` T3 T6 T7, `hull` T5 and the ray, `local` D2, `regular` hidden points, `chains` K2 K3 K4, `links` T4.
 
 mod cells;
 mod chains;
@@ -61,6 +62,7 @@ mod links;
 mod local;
 pub mod naive;
 mod options;
+mod regular;
 mod sites;
 mod space;
 #[cfg(test)]
@@ -73,5 +75,6 @@ pub use constrained::judge_constrained;
 pub use delaunay::judge_delaunay;
 pub use fault::{Fault, Simplex, Witness};
 pub use links::{Links, judge_links};
+pub use regular::judge_regular;
 pub use options::{Backend, Options, Orientation, Ties};
 pub use verdict::{Level, Verdict};

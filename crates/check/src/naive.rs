@@ -4,6 +4,7 @@
 //! | function | definition | time | for |
 //! |---|---|---|---|
 //! | [`delaunay`] | simplices with no point in conflict | `n^(k+2)` | n <= 40, in space 20 |
+//! | [`regular`] | the same with weights; what is no vertex is hidden | `n^(k+2)` | the same |
 //! | [`delaunay_by_epsilon`] | hull of heights plus powers of two | `n^(k+2)`, big | n <= 12 |
 //! | [`constrained`] | no visible point in conflict | `n^4 (n + m)^2` | n <= 14 |
 //!
@@ -18,7 +19,7 @@ pub use epsilon::delaunay_by_epsilon;
 pub use visibility::constrained;
 
 use crate::exact::{Integer, Pure, Sign};
-use crate::space::{Space, lexicographic};
+use crate::space::Space;
 
 /// The Delaunay triangulation under the lexicographic perturbation, by its definition.
 ///
@@ -28,19 +29,42 @@ use crate::space::{Space, lexicographic};
 /// ```
 #[must_use]
 pub fn delaunay<const D: usize>(points: &[[f64; D]]) -> Vec<Vec<u32>> {
-    let space: Space<'_, D, Pure> = Space::new(points, true);
+    without_conflict(Space::new(points, true))
+}
+
+/// The regular triangulation of points with weights, one for each, under the lexicographic
+/// perturbation. Of equal points the heaviest is used, of those the first.
+///
+/// ```
+/// let line = [[0.0], [1.0], [2.0]];
+/// assert_eq!(delone_check::naive::regular(&line, &[0.0, 0.0, 0.0]), [[0, 1], [1, 2]]);
+/// assert_eq!(delone_check::naive::regular(&line, &[4.0, 0.0, 0.0]), [[0, 2]]);
+/// ```
+///
+/// # Panics
+/// If there are not as many weights as points.
+#[must_use]
+pub fn regular<const D: usize>(points: &[[f64; D]], weights: &[f64]) -> Vec<Vec<u32>> {
+    assert_eq!(points.len(), weights.len(), "each point has a weight");
+    without_conflict(Space::weighted(points, Some(weights), true))
+}
+
+fn without_conflict<const D: usize>(space: Space<'_, D, Pure>) -> Vec<Vec<u32>> {
     let (ids, space) = framed(space);
     simplices(&space, &ids, |simplex, orientation| {
         ids.iter().all(|&q| simplex.contains(&q) || !space.conflict(simplex, orientation, q))
     })
 }
 
-/// The first of each set of equal points, ascending; and the space along axes on which the points
+/// The heaviest, or first, of each set of equal points, ascending; and the space along axes on which the points
 /// keep their dimension.
 fn framed<const D: usize, I: Integer>(mut space: Space<'_, D, I>) -> (Vec<u32>, Space<'_, D, I>) {
     let points = space.points;
     let mut ids: Vec<u32> = (0u32..).zip(points).map(|(id, _)| id).collect();
-    ids.sort_by(|&u, &v| lexicographic(&points[u as usize], &points[v as usize]).then(u.cmp(&v)));
+    ids.sort_by(|&u, &v| {
+        let heavier = || space.compare_weights(v, u);
+        space.compare(u, v).then_with(heavier).then(u.cmp(&v))
+    });
     ids.dedup_by(|v, u| points[*v as usize] == points[*u as usize]);
     ids.sort_unstable();
     let mut axes: Vec<usize> = Vec::new();

@@ -15,6 +15,10 @@
 //! other columns, since on the flat each dropped coordinate is an affine function of the kept
 //! ones.)
 //!
+//! A point of weight `w` has the height `|p|^2 - w`, so that the rows of the second form are
+//! `[pi - q, |pi - q|^2 + w(q) - w(pi)]`. Then the sphere is the one orthogonal to all of the
+//! simplex.
+//!
 //! **Ties.** Each height `|p|^2` is raised by an infinitesimal, infinitely larger for a point of
 //! larger lexicographic rank. When `M = 0`, the first point `v` in descending rank whose height
 //! matters decides: `q` itself leaves the sphere; for a `v` of the simplex, `q` falls inside iff
@@ -41,6 +45,8 @@ pub(crate) enum Place {
 #[derive(Debug)]
 pub(crate) struct Space<'a, const D: usize, I> {
     pub(crate) points: &'a [[f64; D]],
+    /// One for each point; none if all weigh nothing.
+    weights: Option<&'a [f64]>,
     pub(crate) axes: Vec<usize>,
     filtered: bool,
     word: Option<Lattice<i128>>,
@@ -50,10 +56,23 @@ pub(crate) struct Space<'a, const D: usize, I> {
 impl<'a, const D: usize, I: Integer> Space<'a, D, I> {
     /// A space over all `D` axes. The coordinates must be finite.
     pub(crate) fn new(points: &'a [[f64; D]], filtered: bool) -> Self {
-        let span = Span::of(points.iter().flatten().copied()).unwrap_or(Span { low: 0, high: 0 });
-        let small = filtered && word::fits(span.bits(), D, D);
+        Self::weighted(points, None, filtered)
+    }
+
+    /// A space of points with weights, one for each. All must be finite.
+    pub(crate) fn weighted(
+        points: &'a [[f64; D]],
+        weights: Option<&'a [f64]>,
+        filtered: bool,
+    ) -> Self {
+        let coordinates = Span::of(points.iter().flatten().copied());
+        let roots = Span::of(weights.unwrap_or(&[]).iter().copied()).map(Span::halved);
+        let span = Span::both(coordinates, roots).unwrap_or(Span { low: 0, high: 0 });
+        // A difference of weights is less than one more square.
+        let small = filtered && word::fits(span.bits(), D, D + usize::from(weights.is_some()));
         Self {
             points,
+            weights,
             axes: (0..D).collect(),
             filtered,
             word: small.then(|| Lattice::new(span.low)),
@@ -77,7 +96,8 @@ impl<'a, const D: usize, I: Integer> Space<'a, D, I> {
     /// Where `q` lies with respect to the sphere of `simplex`, whose orientation is `orientation`,
     /// not zero.
     pub(crate) fn in_sphere(&self, simplex: &[u32], orientation: Sign, q: u32) -> Place {
-        let lifted = Lifted { points: self.points, axes: &self.axes, simplex, q };
+        let lifted =
+            Lifted { points: self.points, weights: self.weights, axes: &self.axes, simplex, q };
         let m = self.decide(&lifted).flipped_if(self.axes.len().is_multiple_of(2));
         match orientation.times(m) {
             Sign::Negative => Place::Inside,
@@ -112,6 +132,12 @@ impl<'a, const D: usize, I: Integer> Space<'a, D, I> {
             }
         }
         false
+    }
+
+    /// The order of the weights of two points.
+    pub(crate) fn compare_weights(&self, u: u32, v: u32) -> Ordering {
+        let weight = |id: u32| self.weights.map_or(0.0, |weights| weights[id as usize]);
+        weight(u).partial_cmp(&weight(v)).unwrap_or(Ordering::Equal)
     }
 
     /// The lexicographic order of two points: their rank.
@@ -174,6 +200,7 @@ impl<const D: usize> Formula for Orientation<'_, D> {
 
 struct Lifted<'a, const D: usize> {
     points: &'a [[f64; D]],
+    weights: Option<&'a [f64]>,
     axes: &'a [usize],
     simplex: &'a [u32],
     q: u32,
@@ -189,7 +216,10 @@ impl<const D: usize> Formula for Lifted<'_, D> {
             let away: [A::Number; D] = std::array::from_fn(|x| arithmetic.difference(p[x], q[x]));
             let square = away[1..].iter().fold(away[0].times(&away[0]), |s, d| s.plus(&d.times(d)));
             rows.extend(self.axes.iter().map(|&x| away[x].clone()));
-            rows.push(square);
+            rows.push(match self.weights {
+                None => square,
+                Some(w) => square.plus(&arithmetic.weights(w[self.q as usize], w[v as usize])),
+            });
         }
         determinant(order, &rows)
     }

@@ -18,6 +18,10 @@ pub enum Level {
     WeaklyConstrained,
     /// The constrained Delaunay triangulation that the perturbation selects.
     Constrained,
+    /// A regular triangulation, all hidden points left out, ties resolved in any way.
+    WeaklyRegular,
+    /// The regular triangulation that the perturbation selects.
+    Regular,
     /// A Delaunay triangulation, ties resolved in any way.
     WeaklyDelaunay,
     /// The Delaunay triangulation that the perturbation selects.
@@ -34,6 +38,8 @@ impl Level {
             Self::Triangulation => "triangulation",
             Self::WeaklyConstrained => "weakly constrained delaunay",
             Self::Constrained => "constrained delaunay",
+            Self::WeaklyRegular => "weakly regular",
+            Self::Regular => "regular",
             Self::WeaklyDelaunay => "weakly delaunay",
             Self::Delaunay => "delaunay",
         }

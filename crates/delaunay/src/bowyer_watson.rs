@@ -12,6 +12,7 @@
 //! **In.** A kernel over distinct vertices; the order to insert them in. **Out.** The Delaunay mesh under the
 //! lexicographic perturbation: it depends on the points only, not on the order.
 //! **Invariants.** 1. After each insertion the mesh is the Delaunay mesh of the sites so far. 2. A new cell is not flat.
+//! 3. Under a kernel of weighted sites the cell that holds a site decides: it is hidden if not in conflict with that one.
 //! **Cost.** Expected O(n log n + cells made) in randomized order; about 4 cells removed and 6 made for each site in the
 //! plane (on average, without boundary: degree 6), 27 made in space on uniform sites. Memory: 8 (D + 1) bytes a cell, 4
 //! for its mark, and the coordinates once more, in order of insertion.
@@ -21,13 +22,14 @@
 //! |---|---|---|
 //! | no site | the empty mesh | `few_sites_have_their_dimension` |
 //! | all sites in a k-flat, k < D | the mesh of dimension k of their Delaunay triangulation in the flat | `sites_in_a_flat_are_triangulated_in_it` |
+//! | a site without a cell (weights only) | it is hidden, and no vertex of the mesh | `hidden_sites_are_those_of_the_definition` |
 //! | cospherical sites | the perturbation decides | `a_grid_has_one_triangulation` |
 
 use delone_mesh::{Cavity, CellId, Mesh, VertexId};
 use delone_predicates::{Kernel, Projected};
 use delone_probe::{Event, Probe};
 
-use crate::conflict::dig_conflicts;
+use crate::conflict::{dig_conflicts, in_conflict};
 use crate::flat::{Flat, span};
 use crate::locate::{Coin, walk};
 
@@ -62,7 +64,7 @@ pub fn bowyer_watson<const D: usize>(
 }
 
 /// `order` with the sites of `simplex` moved to its front.
-fn starting_with(simplex: &[u32], order: &[u32]) -> Vec<u32> {
+pub(crate) fn starting_with(simplex: &[u32], order: &[u32]) -> Vec<u32> {
     let rest = order.iter().filter(|site| !simplex.contains(site));
     simplex.iter().chain(rest).copied().collect()
 }
@@ -79,7 +81,11 @@ fn in_flat<const D: usize, const K: usize>(
 }
 
 /// Inserts vertices 0 to `count - 1` in this order; the first D+1 are a positive simplex.
-fn build<const D: usize>(kernel: &impl Kernel<D>, count: usize, probe: &mut impl Probe) -> Mesh<D> {
+fn build<const D: usize, K: Kernel<D>>(
+    kernel: &K,
+    count: usize,
+    probe: &mut impl Probe,
+) -> Mesh<D> {
     let first: Vec<VertexId> = (0..=D).map(VertexId::new).collect();
     let mut mesh = Mesh::simplex(&first);
     let mut cavity = Cavity::new();
@@ -88,6 +94,10 @@ fn build<const D: usize>(kernel: &impl Kernel<D>, count: usize, probe: &mut impl
     for done in D + 1..count {
         let p = VertexId::new(done);
         let seed = walk(&mesh, kernel, hint, p, &mut coin, probe);
+        if K::HIDES && !in_conflict(&mesh, kernel, seed, p, probe) {
+            probe.on(Event::Site { done: done + 1, total: count });
+            continue; // Inv 3
+        }
         dig_conflicts(&mesh, kernel, seed, p, &mut cavity, probe);
         hint = mesh.star(&mut cavity, p);
         cavity.rim().iter().for_each(|_| probe.on(Event::CellMade));

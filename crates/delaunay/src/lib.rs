@@ -17,6 +17,10 @@
 //! | [`delaunay()`] | | | always, unless you compare algorithms |
 //! | [`divide_conquer()`] | \[GS85\], \[Dwy87\] | O(n log n) | the plane: the fastest, and on several threads |
 //! | [`bowyer_watson()`] | \[Bow81\], \[Wat81\] | expected O(n log n) in the plane | any dimension, your own kernel |
+//! | [`flips()`] | \[Law77\], \[GKS92\] | expected O(n log n) | the plane, to compare |
+//! | [`flip_to_delaunay`] | \[Law77\] | O(n^2) | you have some triangulation of the plane |
+//! | [`regular()`] | \[ES96\] | expected O(n log n) in the plane | sites have weights |
+//! | [`Dynamic`] | \[Bow81\], \[DT03\] | O(degree) after location | sites come and go |
 //! | [`naive_delaunay`] | the definition | O(n^(D+2)) | to test the others |
 //!
 //! # Contract
@@ -29,18 +33,25 @@
 mod bowyer_watson;
 mod conflict;
 mod divide_conquer;
+mod dynamic;
 mod flat;
+mod flips;
 mod locate;
 mod naive;
 mod registry;
+mod regular;
 mod result;
+mod star;
 
 pub use bowyer_watson::bowyer_watson;
 pub use conflict::{dig_conflicts, in_conflict};
+pub use dynamic::{Dynamic, Inserted};
 pub use divide_conquer::{divide_conquer, divide_conquer_in_parallel};
+pub use flips::{flip_to_delaunay, flips};
 pub use locate::{Coin, walk};
-pub use naive::naive_delaunay;
+pub use naive::{naive_delaunay, naive_mesh};
 pub use registry::{Algorithm, KernelKind, Options, Order, algorithms, delaunay};
+pub use regular::{Regular, regular};
 pub use result::{Delaunay, Fingerprint};
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! What the algorithms return: a mesh that is known to be Delaunay.
 
-use delone_mesh::{CellId, Mesh};
+use delone_mesh::{CellId, Mesh, VertexId};
 use delone_sites::Sites;
 
 /// The Delaunay triangulation of some sites, ties broken by their lexicographic order.
@@ -35,7 +35,7 @@ impl<const D: usize> Delaunay<D> {
     /// The solid cells as sorted site ids, in lexicographic order; flat, dimension + 1 ids each.
     #[must_use]
     pub fn canonical(&self) -> Vec<u32> {
-        self.mesh.canonical(|vertex| id(vertex.index()))
+        self.mesh.canonical(id_of)
     }
 
     /// A hash of sites and cells that depends on the positions only, not on the order of input.
@@ -49,8 +49,9 @@ impl<const D: usize> Delaunay<D> {
     }
 }
 
-fn id(index: usize) -> u32 {
-    u32::try_from(index).expect("a vertex index fits 32 bits")
+/// The vertex as a site.
+pub(crate) fn id_of(vertex: VertexId) -> u32 {
+    u32::try_from(vertex.index()).expect("a vertex index fits 32 bits")
 }
 
 /// A 128-bit FNV-1a hash, printed as 32 hexadecimal digits.

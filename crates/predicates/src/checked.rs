@@ -44,6 +44,8 @@ fn agreed<A: PartialEq + std::fmt::Debug>(
 impl<const D: usize, K: Kernel<D>, J: Kernel<D>> Kernel<D> for Checked<K, J> {
     type Reordered = Checked<K::Reordered, J::Reordered>;
 
+    const HIDES: bool = K::HIDES;
+
     fn reordered(&self, order: &[u32]) -> Self::Reordered {
         Checked::new(self.kernel.reordered(order), self.judge.reordered(order))
     }

@@ -93,6 +93,8 @@ impl<'t, K> Counting<'t, K> {
 impl<'t, const D: usize, K: Kernel<D>> Kernel<D> for Counting<'t, K> {
     type Reordered = Counting<'t, K::Reordered>;
 
+    const HIDES: bool = K::HIDES;
+
     fn reordered(&self, order: &[u32]) -> Self::Reordered {
         Counting::new(self.kernel.reordered(order), self.tally)
     }

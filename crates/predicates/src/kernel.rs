@@ -34,6 +34,9 @@ pub trait Kernel<const D: usize> {
     /// The same kernel over vertices in another order, owning its data.
     type Reordered: Kernel<D>;
 
+    /// Whether a site may be hidden: in conflict with no cell, and a vertex of none. So it is with weights.
+    const HIDES: bool = false;
+
     /// The kernel whose vertex `i` is this one's vertex `order[i]`, laid out in that order.
     fn reordered(&self, order: &[u32]) -> Self::Reordered;
 

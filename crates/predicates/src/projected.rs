@@ -34,6 +34,8 @@ impl<const D: usize, const K: usize, B: Kernel<D>> Projected<D, K, B> {
 impl<const D: usize, const K: usize, B: Kernel<D>> Kernel<K> for Projected<D, K, B> {
     type Reordered = Projected<D, K, B::Reordered>;
 
+    const HIDES: bool = B::HIDES;
+
     fn reordered(&self, order: &[u32]) -> Self::Reordered {
         Projected { base: self.base.reordered(order), axes: self.axes }
     }

@@ -71,6 +71,8 @@ where
 {
     type Reordered = Weighted<Vec<[f64; D]>, Vec<f64>>;
 
+    const HIDES: bool = true;
+
     fn reordered(&self, order: &[u32]) -> Self::Reordered {
         let weights = order.iter().map(|&i| self.weights.as_ref()[i as usize]).collect();
         Weighted { sites: self.sites.reordered(order), weights }

@@ -17,6 +17,7 @@
 //! | you have | use | time |
 //! |---|---|---|
 //! | points | [`Sites`] | O(n log n) |
+//! | points with weights | [`WeightedSites`] | O(n log n) |
 //! | points and segments in the plane | [`Pslg`] | O(n log n), see its page |
 //! | sites to insert one by one | [`Sites::brio_order`] | O(n log n) |
 //!
@@ -32,11 +33,13 @@ mod order;
 mod pslg;
 mod sites;
 mod sweep;
+mod weighted;
 
 pub use order::{Curve, scatter, sortable};
 pub use pslg::{Crossing, Pslg, PslgError, PslgFault};
 pub use sites::{NotFinite, Sites, SitesError};
 pub use sweep::{Ends, below_and_above, compare_along};
+pub use weighted::{WeightedSites, WeightsError};
 
 #[cfg(test)]
 #[expect(clippy::cast_possible_truncation, reason = "the numbers of the tests are small")]

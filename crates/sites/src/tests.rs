@@ -212,3 +212,21 @@ fn sites_are_sorted_as_coordinates_compare() {
     assert!(sorted.is_sorted());
     assert!((0..1331u32).eq(sites.site_of()[1331..].iter().copied()));
 }
+
+#[test]
+fn of_equal_points_the_heaviest_is_the_site() {
+    let points = [[0.0], [1.0], [0.0], [-0.0], [1.0]];
+    let sites = WeightedSites::new(&points, &[1.0, 5.0, 2.0, 2.0, -0.0]).unwrap();
+    assert_eq!((sites.weights(), sites.input_of()), (&[2.0, 5.0][..], &[2, 1][..]));
+    assert_eq!(sites.sites().site_of(), [0, 1, 0, 0, 1]);
+}
+
+#[test]
+fn weights_that_are_none_are_refused_with_their_points() {
+    let refused = |weights: &[f64]| WeightedSites::new(&[[0.0], [1.0]], weights).unwrap_err();
+    assert_eq!(refused(&[1.0]), WeightsError::Count { points: 2, weights: 1 });
+    assert_eq!(refused(&[f64::INFINITY, 0.0]), WeightsError::NotFinite(vec![(0, f64::INFINITY)]));
+    assert!(refused(&[0.0, f64::NAN]).to_string().starts_with("point 1 has the weight NaN"));
+    let nan = WeightedSites::new(&[[f64::NAN]], &[0.0]).unwrap_err();
+    assert!(matches!(nan, WeightsError::Sites(_)));
+}

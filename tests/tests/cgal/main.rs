@@ -9,9 +9,11 @@
 //! | module | inputs |
 //! |---|---|
 //! | `workloads` | the corpus: workloads, inputs by hand, regressions; subsets of small grids |
+//! | `regular` | the corpus with several kinds of weights |
 //! | `files` | the collected files |
 
 mod files;
+mod regular;
 mod workloads;
 
 use delone::delaunay::Delaunay;

@@ -84,4 +84,8 @@ impl Arithmetic for Balls {
     fn difference(&self, a: f64, b: f64) -> Ball {
         Ball::widened(a - b, 0.0)
     }
+
+    fn weights(&self, a: f64, b: f64) -> Ball {
+        self.difference(a, b)
+    }
 }

@@ -46,12 +46,22 @@ impl Span {
             }
             let width = 64 - mantissa.unsigned_abs().leading_zeros();
             let high = low.saturating_add_unsigned(width);
-            span = Some(span.map_or(Self { low, high }, |s| Self {
-                low: s.low.min(low),
-                high: s.high.max(high),
-            }));
+            span = Self::both(span, Some(Self { low, high }));
         }
         span
+    }
+
+    /// A span of roots: numbers of this span are multiples of `2^(2 low)`, less than `2^(2 high)`.
+    pub(crate) fn halved(self) -> Self {
+        Self { low: self.low.div_euclid(2), high: -(-self.high).div_euclid(2) }
+    }
+
+    /// The least span that holds both, if there are any.
+    pub(crate) fn both(one: Option<Self>, other: Option<Self>) -> Option<Self> {
+        match (one, other) {
+            (Some(a), Some(b)) => Some(Self { low: a.low.min(b.low), high: a.high.max(b.high) }),
+            (span, None) | (None, span) => span,
+        }
     }
 
     /// How many bits the integers `x / 2^low` need, without sign.
@@ -75,9 +85,14 @@ impl<I: Integer> Lattice<I> {
 
     /// The integer `x / 2^low`.
     pub(crate) fn integer(&self, x: f64) -> I {
+        Self::multiple(x, self.low)
+    }
+
+    /// The integer `x / 2^low`.
+    fn multiple(x: f64, low: i32) -> I {
         match decode(x) {
             (0, _) => I::shifted(0, 0),
-            (mantissa, exponent) => I::shifted(mantissa, exponent.abs_diff(self.low)),
+            (mantissa, exponent) => I::shifted(mantissa, exponent.abs_diff(low)),
         }
     }
 }
@@ -87,5 +102,9 @@ impl<I: Integer> Arithmetic for Lattice<I> {
 
     fn difference(&self, a: f64, b: f64) -> I {
         self.integer(a).minus(&self.integer(b))
+    }
+
+    fn weights(&self, a: f64, b: f64) -> I {
+        Self::multiple(a, 2 * self.low).minus(&Self::multiple(b, 2 * self.low))
     }
 }

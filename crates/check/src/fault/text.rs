@@ -28,6 +28,7 @@ impl Display for Fault {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         match self {
             Self::NotFinite { .. }
+            | Self::WeightNotFinite { .. }
             | Self::BadLength { .. }
             | Self::BadDimension { .. }
             | Self::IdOutOfRange { .. }
@@ -55,6 +56,9 @@ impl Display for Fault {
 fn fmt_input(fault: &Fault, f: &mut Formatter<'_>) -> Result {
     match fault {
         Fault::NotFinite { point } => write!(f, "{point} has a coordinate that is not finite"),
+        Fault::WeightNotFinite { point, weight } => {
+            write!(f, "{point} has the weight {weight}, which is not finite")
+        }
         Fault::BadLength { array, length, expected } => {
             write!(f, "{array} holds {length} entries, which is not {expected}")
         }
@@ -134,6 +138,12 @@ fn fmt_geometry(fault: &Fault, f: &mut Formatter<'_>) -> Result {
         }
         Fault::NotDelaunay { cell, inside } => {
             write!(f, "{inside} is inside the sphere of the neighbouring cell {}", List(cell))
+        }
+        Fault::NotHidden { point, cell } => {
+            write!(f, "{point} is no vertex, and inside the sphere of {}", List(cell))
+        }
+        Fault::BeyondHull { point, facet } => {
+            write!(f, "{point} is no vertex, and outside the hull, beyond {}", List(facet))
         }
         Fault::WrongTie { cell, inside } => write!(
             f,
