@@ -158,7 +158,7 @@ impl<const D: usize, K: Kernel<D>> Dynamic<D, K> {
             }
         }
         self.cavity.rim().iter().for_each(|_| probe.on(Event::CellMade));
-        let new = self.mesh.star(&self.cavity, p);
+        let new = self.mesh.star(&mut self.cavity, p);
         gather_star(&self.mesh, p, new, &mut self.cavity);
         for &cell in self.cavity.cells() {
             record(&self.mesh, &mut self.states, cell);

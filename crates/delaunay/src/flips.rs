@@ -75,17 +75,9 @@ fn split(
     cavity: &mut Cavity<2>,
     probe: &mut impl Probe,
 ) -> CellId {
-    cavity.begin(cell);
-    if let Some(h) = edge_under(mesh, kernel, cell, p, probe) {
-        cavity.dig(mesh.twin(h).cell());
-    }
-    for place in 0..cavity.cells().len() {
-        for facet in mesh.facets(cavity.cells()[place]) {
-            if !cavity.holds(mesh.twin(facet).cell()) {
-                cavity.push_rim(facet);
-            }
-        }
-    }
+    let under = edge_under(mesh, kernel, cell, p, probe);
+    let other = under.map(|h| mesh.twin(h).cell());
+    cavity.dig(mesh, cell, |beyond| Some(beyond) == other);
     cavity.rim().iter().for_each(|_| probe.on(Event::CellMade));
     mesh.star(cavity, p)
 }

@@ -1,6 +1,6 @@
 //! The star of a vertex: the cells that have it.
 
-use delone_mesh::{Cavity, CellId, FacetId, Mesh, VertexId};
+use delone_mesh::{Cavity, CellId, Mesh, VertexId};
 
 /// Makes `star` the cells that have `vertex`, of which `cell` is one, and its rim the facets opposite it.
 pub(crate) fn gather_star<const D: usize>(
@@ -9,17 +9,7 @@ pub(crate) fn gather_star<const D: usize>(
     cell: CellId,
     star: &mut Cavity<D>,
 ) {
-    star.begin(cell);
-    while let Some(cell) = star.next_unexplored() {
-        let corner = mesh.corner_of(cell, vertex);
-        star.push_rim(FacetId::new(cell, corner));
-        for facet in mesh.facets(cell).filter(|facet| facet.corner() != corner) {
-            let beyond = mesh.twin(facet).cell();
-            if !star.holds(beyond) {
-                star.dig(beyond);
-            }
-        }
-    }
+    star.dig(mesh, cell, |cell| mesh.corners(cell).contains(&vertex));
 }
 
 /// The vertices of the star's rim but the ghost: the neighbours of the vertex, sorted.

@@ -240,17 +240,11 @@ fn a_transplant_undoes_a_split() {
     let mut mesh = simplex::<3>(3);
     let donor = mesh.clone();
     let mut cavity = Cavity::new();
-    cavity.begin(CellId::new(0));
-    mesh.facets(CellId::new(0)).for_each(|facet| cavity.push_rim(facet));
-    mesh.star(&cavity, v(4));
-    mesh.compact(|_, _| {});
-    let star: Vec<CellId> = mesh.cells().filter(|&c| mesh.corners(c).contains(&v(4))).collect();
+    split(&mut mesh, &mut cavity, CellId::new(0), 4);
+    let about = |cell: CellId| mesh.corners(cell).contains(&v(4));
+    let seed = mesh.cells().find(|&cell| about(cell)).unwrap();
     let mut hole = Cavity::new();
-    hole.begin(star[0]);
-    star[1..].iter().for_each(|&cell| hole.dig(cell));
-    for &cell in &star {
-        hole.push_rim(FacetId::new(cell, mesh.corner_of(cell, v(4))));
-    }
+    hole.dig(&mesh, seed, about);
     mesh.transplant(&hole, &donor, &cavity, |u| u);
     mesh.compact(|_, _| {});
     assert_eq!(mesh.faults(Level::Sphere, 4), []);
