@@ -34,7 +34,7 @@ mod sites;
 mod sweep;
 
 pub use order::{Curve, scatter, sortable};
-pub use pslg::{Crossing, Pslg, PslgError, PslgFault};
+pub use pslg::{Coverage, Crossing, Pslg, PslgError, PslgFault};
 pub use sites::{NotFinite, Sites, SitesError};
 pub use sweep::{Ends, below_and_above, compare_along};
 
