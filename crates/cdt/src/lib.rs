@@ -20,6 +20,12 @@
 //! | [`cavity()`] | \[SB15\] | Delaunay, then expected O(1) for each edge crossed | short segments, as on maps |
 //! | [`insert_segments`] | \[SB15\] | the second half of it | your own kernel or Delaunay mesh |
 //!
+//! | and then | what it is | time |
+//! |---|---|---|
+//! | [`Regions`] | what the segments cut the plane into | O(n) |
+//! | [`Domain`] | which regions are inside, by a [`Fill`] rule; exact areas, kinds of edges, points in holes | O(n) |
+//! | [`triangulate2d`] | `(V, EV)` to `(V, [EV, FV])`: the inside of a soup of edges | that of [`cavity()`] |
+//!
 //! # Contract
 //!
 //! In: [`delone_sites::Pslg`], noded. Out: [`Cdt`], a mesh whose edges contain every segment, Delaunay up to visibility.
@@ -30,13 +36,21 @@
 mod cavity;
 mod chain;
 mod chew;
+mod domain;
+mod dyadic;
 mod fill;
+mod regions;
 mod registry;
 mod result;
+mod triangulate2d;
 
 pub use cavity::insert_segments;
+pub use domain::{Domain, EdgeKind, Fill, FillError, OpenVertex, Role, SeedFault};
+pub use dyadic::Dyadic;
+pub use regions::{RegionId, Regions};
 pub use registry::{Algorithm, algorithms, cavity, chew};
 pub use result::Cdt;
+pub use triangulate2d::{Interior, InteriorError, triangulate2d};
 
 #[cfg(test)]
 #[expect(clippy::cast_possible_truncation, reason = "the numbers of the tests are small")]
