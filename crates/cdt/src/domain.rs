@@ -39,7 +39,7 @@ use delone_mesh::CellId;
 use delone_sites::Pslg;
 
 use crate::regions::{RegionId, Regions, Shore};
-use crate::{Cdt, Dyadic};
+use crate::{Area, Cdt};
 
 pub use edges::EdgeKind;
 pub use error::{FillError, OpenVertex, SeedFault};
@@ -63,7 +63,7 @@ pub use rule::{Fill, Role};
 #[derive(Clone, Debug, PartialEq)]
 pub struct Domain {
     regions: Regions,
-    areas: Vec<Dyadic>,
+    areas: Vec<Area>,
     seeds: Vec<Option<[f64; 2]>>,
     depths: Vec<u32>,
     chain: Option<Vec<i64>>,
@@ -121,14 +121,14 @@ impl Domain {
 
     /// The area of a region, exactly; of the exterior, the part within the convex hull.
     #[must_use]
-    pub fn region_area(&self, region: RegionId) -> &Dyadic {
+    pub fn region_area(&self, region: RegionId) -> &Area {
         &self.areas[region as usize]
     }
 
     /// The area of all that is inside, exactly.
     #[must_use]
-    pub fn area(&self) -> Dyadic {
-        let mut sum = Dyadic::default();
+    pub fn area(&self) -> Area {
+        let mut sum = Area::default();
         for (area, _) in self.areas.iter().zip(&self.inside).filter(|(_, inside)| **inside) {
             sum += area;
         }

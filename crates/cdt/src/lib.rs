@@ -33,20 +33,20 @@
 //!
 //! **Not here.** Noding and refusal of crossings (`delone-sites`), judgement (`delone-check`).
 
+mod area;
 mod cavity;
 mod chain;
 mod chew;
 mod domain;
-mod dyadic;
 mod fill;
 mod regions;
 mod registry;
 mod result;
 mod triangulate2d;
 
+pub use area::Area;
 pub use cavity::insert_segments;
 pub use domain::{Domain, EdgeKind, Fill, FillError, OpenVertex, Role, SeedFault};
-pub use dyadic::Dyadic;
 pub use regions::{RegionId, Regions};
 pub use registry::{Algorithm, algorithms, cavity, chew};
 pub use result::Cdt;

@@ -4,18 +4,14 @@ use dashu_int::IBig;
 use delone_predicates::{Sign, orient2d};
 use delone_sites::Pslg;
 
-use crate::dyadic::Lattice;
+use crate::area::Lattice;
 use crate::regions::Regions;
-use crate::{Cdt, Dyadic};
+use crate::{Area, Cdt};
 
 type Triangle = [[f64; 2]; 3];
 
 /// For each region its area and an interior point; none for the exterior.
-pub(super) fn measure(
-    cdt: &Cdt,
-    pslg: &Pslg,
-    regions: &Regions,
-) -> Vec<(Dyadic, Option<[f64; 2]>)> {
+pub(super) fn measure(cdt: &Cdt, pslg: &Pslg, regions: &Regions) -> Vec<(Area, Option<[f64; 2]>)> {
     let (mesh, points) = (cdt.mesh(), pslg.sites().points());
     let lattice = Lattice::of(points);
     let mut twice = vec![IBig::ZERO; regions.count()];

@@ -36,7 +36,7 @@ fn a_line_has_no_inside() {
     for rule in [Fill::Hull, Fill::EvenOdd, Fill::NonZero, Fill::Nesting, Fill::Exterior] {
         let (cdt, pslg) = graph(&line, &[[0, 2]]);
         let domain = Domain::new(&cdt, &pslg, &rule).unwrap();
-        assert_eq!((domain.regions().count(), domain.area()), (1, Dyadic::default()));
+        assert_eq!((domain.regions().count(), domain.area()), (1, Area::default()));
         assert_eq!(domain.kinds(), [EdgeKind::Slit, EdgeKind::Slit]);
         assert_eq!((domain.cells(&cdt).count(), domain.holes().count()), (0, 0));
         assert_eq!(area(&[], &[], &rule), "0");
@@ -193,7 +193,7 @@ fn a_region_too_narrow_for_a_double_has_no_point() {
     let domain = fill(&narrow, &ring(0, 3), &Fill::EvenOdd);
     assert_eq!(domain.interior_point(1), None);
     assert_eq!(domain.area().to_f64(), 0.0);
-    assert!(domain.area() != Dyadic::default());
+    assert!(domain.area() != Area::default());
     let wide = SQUARE.map(|p| p.map(|x| if x > 0.0 { f64::MAX } else { -f64::MAX }));
     let domain = fill(&wide, &ring(0, 4), &Fill::EvenOdd);
     assert!(domain.interior_point(1).is_some());

@@ -112,14 +112,14 @@ fn areas_fit_the_shoelace_formula() {
         let twice: i64 =
             chain.segments.iter().map(|&[a, b]| at(a)[0] * at(b)[1] - at(a)[1] * at(b)[0]).sum();
         let domain = fill(&chain.points, &chain.segments, &Fill::NonZero);
-        let mut sum = Dyadic::default();
+        let mut sum = Area::default();
         for (region, &number) in (0u32..).zip(domain.chain().unwrap()) {
             let area = domain.region_area(region);
             for _ in 0..number.abs() {
                 sum += &if number > 0 { area.clone() } else { area.negative() };
             }
         }
-        assert_eq!(sum, Dyadic::new(twice.into(), -1), "{:?} {:?}", chain.points, chain.segments);
+        assert_eq!(sum, Area::new(twice.into(), -1), "{:?} {:?}", chain.points, chain.segments);
         sum_of_sizes += twice.abs();
     }
     assert!(sum_of_sizes > 1000);

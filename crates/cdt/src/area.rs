@@ -18,18 +18,18 @@ use dashu_int::ops::BitTest;
 ///
 /// Equal numbers are equal: the numerator is odd, or zero with the exponent 0.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Dyadic {
+pub struct Area {
     numerator: IBig,
     exponent: i32,
 }
 
-impl Default for Dyadic {
+impl Default for Area {
     fn default() -> Self {
         Self { numerator: IBig::ZERO, exponent: 0 }
     }
 }
 
-impl Dyadic {
+impl Area {
     pub(crate) fn new(numerator: IBig, exponent: i32) -> Self {
         match numerator.trailing_zeros() {
             None => Self::default(),
@@ -103,14 +103,14 @@ fn power_of_two(exponent: i64) -> f64 {
     f64::from_bits(bits.expect("an exponent of a double"))
 }
 
-impl AddAssign<&Self> for Dyadic {
+impl AddAssign<&Self> for Area {
     fn add_assign(&mut self, other: &Self) {
         let low = self.exponent.min(other.exponent);
         *self = Self::new(self.aligned(low) + other.aligned(low), low);
     }
 }
 
-impl fmt::Display for Dyadic {
+impl fmt::Display for Area {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let size = size_of(i64::from(self.exponent));
         if self.exponent >= 0 {
@@ -151,8 +151,8 @@ impl Lattice {
     }
 
     /// The area, of its double in units of the lattice.
-    pub(crate) fn area(&self, twice: IBig) -> Dyadic {
-        Dyadic::new(twice, 2 * self.low - 1)
+    pub(crate) fn area(&self, twice: IBig) -> Area {
+        Area::new(twice, 2 * self.low - 1)
     }
 }
 

@@ -1,7 +1,7 @@
 use super::*;
 
-fn dyadic(numerator: i64, exponent: i32) -> Dyadic {
-    Dyadic::new(IBig::from(numerator), exponent)
+fn dyadic(numerator: i64, exponent: i32) -> Area {
+    Area::new(IBig::from(numerator), exponent)
 }
 
 #[test]
@@ -13,7 +13,7 @@ fn dyadics_are_told_in_lowest_terms() {
     let mut sum = dyadic(1, -1);
     sum += &dyadic(3, -2);
     sum += &dyadic(-5, -2);
-    assert_eq!(sum, Dyadic::default());
+    assert_eq!(sum, Area::default());
 }
 
 #[test]
@@ -50,7 +50,7 @@ fn areas_hold_over_the_whole_range() {
         let lattice = Lattice::of(&triangle);
         let area = lattice.area(lattice.twice_area(triangle)); // twice the square of the side
         let (mantissa, exponent) = decode(side);
-        let expected = Dyadic::new(IBig::from(mantissa) * IBig::from(mantissa), 2 * exponent + 1);
+        let expected = Area::new(IBig::from(mantissa) * IBig::from(mantissa), 2 * exponent + 1);
         assert_eq!(area, expected);
         assert_eq!(!area.to_string().contains('/'), text_is_integer, "{side:e}");
     }
