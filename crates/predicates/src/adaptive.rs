@@ -49,6 +49,12 @@ impl<P> Adaptive<P> {
         with_points(&self.points, simplex, q, answer)
     }
 
+    /// A kernel over these points, whose static filters have these bounds.
+    #[inline(always)]
+    pub(crate) const fn bounded(points: P, bounds: Bounds) -> Self {
+        Self { points, bounds }
+    }
+
     /// A kernel over these points without static filters, made without a look at them: for a few calls on many points.
     pub const fn dynamic(points: P) -> Self {
         Self { points, bounds: Bounds::NONE }

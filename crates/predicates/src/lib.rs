@@ -16,6 +16,7 @@
 //! | a few points | the free functions [`orient2d`], [`orient3d`], [`in_circle`], [`in_sphere`], [`orient`] |
 //! | many points with ids, an algorithm to write | [`Kernel`], with [`Adaptive`] |
 //! | sites with weights, for regular triangulations | [`Weighted`] |
+//! | points on segments, crossings of lines and planes, exact | [`Constructed`] |
 //! | doubts about a filter | [`Exact`], the same answers without filters |
 //! | an opponent to compare with | [`RobustCrate`] (expansions), [`Naive`] (plain doubles) |
 //! | to know what is asked, and which stage answers | [`Counting`] around any kernel |
@@ -34,8 +35,11 @@
 //! **Not here.** Validation of input: `delone-sites`.
 
 mod adaptive;
+mod approximate;
 mod checked;
+mod constructed;
 mod counting;
+mod dyadic;
 mod exact;
 mod filter;
 mod int;
@@ -43,17 +47,22 @@ mod kernel;
 mod naive;
 pub mod perturb;
 mod projected;
+mod ring;
 mod robust_crate;
 mod sign;
 mod stage;
 mod weighted;
 
 pub use adaptive::{Adaptive, Exact};
+pub use approximate::Approximate;
 pub use checked::Checked;
+pub use constructed::{Constructed, Construction, ConstructionError};
 pub use counting::{Counting, Question, Tally};
+pub use dyadic::Dyadic;
 pub use kernel::{Id, Kernel, PlaneKernel, all_axes};
 pub use naive::Naive;
 pub use projected::Projected;
+pub use ring::{Homogeneous, Ring};
 pub use robust_crate::RobustCrate;
 pub use sign::{Side, Sign};
 pub use stage::Stage;

@@ -18,6 +18,8 @@ pub enum Stage {
     FourLimbs,
     /// Sums of monomials, for exponents that lie far apart.
     LongSum,
+    /// Exact numbers of any length, of constructed points.
+    Dyadic,
     /// Plain doubles, right or wrong.
     Unfiltered,
     /// Not told: the kernel has no stages, or does not count them.
@@ -26,7 +28,7 @@ pub enum Stage {
 
 impl Stage {
     /// All stages, in order.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         Self::StaticFilter,
         Self::DynamicFilter,
         Self::MachineWords,
@@ -34,6 +36,7 @@ impl Stage {
         Self::TwoLimbs,
         Self::FourLimbs,
         Self::LongSum,
+        Self::Dyadic,
         Self::Unfiltered,
         Self::Untold,
     ];

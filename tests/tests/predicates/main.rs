@@ -8,12 +8,14 @@
 //! | `signs` | the comparison |
 //! | `bound` | inputs whose floating-point determinant is near the filter's error bound |
 //! | `algebra` | permutations, scaling, translation, the perturbation |
+//! | `constructed` | points on segments, crossings of lines and planes, against rationals |
 //! | `headroom` | determinants that fill the exact integers |
 //! | `fixtures` | the collected ones of another program |
 //! | `known` | inputs on which other programs are wrong |
 
 mod algebra;
 mod bound;
+mod constructed;
 mod fixtures;
 mod headroom;
 mod inputs;

@@ -1,0 +1,379 @@
+//! The kernel of constructed points: points on segments, crossings of lines and planes, exact, among plain points.
+//!
+//! Algorithms written for plain points run under it unchanged, ties and their perturbation included: a constructed
+//! vertex is a vertex.
+//!
+//! **Paper.** \[Att20\]; where we differ: exact coordinates are kept, in numbers of any length, and so are nearest doubles.
+//!
+//! **Values.** A constructed point is computed once, when it is pushed: homogeneous coordinates in [`Dyadic`] numbers, and
+//! the nearest doubles. Where these are exact, the vertex is as good as plain. Elsewhere they are off by half of the last place
+//! at most, and nearest is monotone: where nearest doubles differ, they are in the order of the exact values.
+//!
+//! **Stages.** 1. A static filter for all vertices, plain or not: the value of the determinant in nearest doubles over the
+//! bound of *magnitudes*. 2. If all vertices are exact doubles: the stages of [`Adaptive`]. 3. A dynamic filter: the
+//! determinant in doubles that carry their error bounds ([`Approximate`]). 4. The same determinant in dyadic numbers.
+//!
+//! **The static bound.** A difference of nearest doubles has the rounding of the subtraction, at most u |p - q|, and the
+//! errors of p and q, at most u |p| and u |q| (2^-1075 each for denormals). Let M be, on each axis, the extent of the box
+//! of all nearest doubles plus twice the greatest magnitude of a coordinate, plus 2^-1020: then each difference is at most M, and
+//! off by at most u M. From there on the determinant is rounded as for plain points, where a difference is off by at most u
+//! times itself: so the bound of `filter.rs` holds with M in place of the extents, but for terms of higher order, since a
+//! difference is at most (1 + u) M exactly. Twice that bound is taken: of the longest paths of 4, 8, 11 and 16 roundings the
+//! constants 3, 7, 10 and 16, doubled, leave at least 2 u.
+//!
+//! **Degeneracies.**
+//! | case | answer | test |
+//! |---|---|---|
+//! | lines or planes without one common point | refused by [`Constructed::push`] | `parallel_lines_and_planes_are_refused` |
+//! | a construction from a constructed point | refused | `constructions_are_from_plain_points` |
+//! | a crossing that is a plain point | equal in every comparison; zero as an orientation | `a_constructed_point_may_equal_a_plain_one` |
+//! | a crossing beyond the largest double | its nearest double is infinite, its answers are exact | `crossings_beyond_the_largest_double` |
+
+use std::cmp::Ordering;
+
+use crate::adaptive::Adaptive;
+use crate::approximate::Approximate;
+use crate::dyadic::nearest_ratio;
+use crate::exact::POINTS_MAX;
+use crate::filter::{Bounds, value};
+use crate::kernel::{Id, Kernel, PlaneKernel, all_axes};
+use crate::ring::{self, Homogeneous};
+use crate::{Dyadic, Sign, Stage};
+use smallvec::SmallVec;
+
+mod construction;
+mod extent;
+#[cfg(test)]
+mod tests;
+
+pub use construction::{Construction, ConstructionError};
+use extent::Extent;
+
+/// Instead of a place among the values: a plain point.
+const PLAIN: u32 = u32::MAX;
+
+/// The points of a call, in exact numbers or in approximate ones.
+type Call<T, const D: usize> = SmallVec<[Homogeneous<T, D>; 5]>;
+
+/// A constructed point.
+#[derive(Clone, Debug)]
+struct Value<const D: usize> {
+    exact: Homogeneous<Dyadic, D>,
+    /// Whether the nearest doubles are not the point itself.
+    rounded: bool,
+}
+
+/// A kernel over plain points and points constructed from them; ids are in the order of [`Constructed::push`].
+///
+/// ```
+/// use delone_predicates::{Constructed, Construction, Kernel, Sign};
+/// let square = [[0.0, 0.0], [3.0, 0.0], [3.0, 1.0], [0.0, 1.0]];
+/// let mut kernel = Constructed::new(square.to_vec());
+/// let centre = kernel.push(&Construction::Crossing { a: 0, b: 2, c: 1, d: 3 })?;
+/// let third = kernel.push(&Construction::SegmentPoint { a: 0, b: 2, t: (1.0 / 3.0).into() })?;
+/// assert_eq!(kernel.position(centre), [1.5, 0.5]);
+/// let [a, c, centre, third] = [0, 2, centre, third].map(|id| id as usize);
+/// assert_eq!(kernel.orient(&[a, c, centre]), Sign::Zero); // on the diagonal, exactly
+/// assert_eq!(kernel.orient(&[a, c, third]), Sign::Zero); // though its position is rounded
+/// # Ok::<(), delone_predicates::ConstructionError>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Constructed<const D: usize> {
+    /// Of all vertices, the nearest doubles.
+    positions: Vec<[f64; D]>,
+    /// The place of a vertex among the values, or `PLAIN`. Empty beyond its end: plain.
+    places: Vec<u32>,
+    values: Vec<Value<D>>,
+    extent: Extent<D>,
+    /// Of the positions, as plain points.
+    bounds: Bounds,
+    /// Of the positions as nearest doubles.
+    wide: Bounds,
+}
+
+impl<const D: usize> Constructed<D> {
+    /// A kernel over plain points, which may be none. Coordinates must be finite.
+    #[must_use]
+    pub fn new(points: Vec<[f64; D]>) -> Self {
+        let mut extent = Extent::EMPTY;
+        points.iter().for_each(|point| {
+            extent.include(point);
+        });
+        let places = vec![PLAIN; points.len()];
+        let [bounds, wide] = extent.bounds();
+        Self { positions: points, places, values: Vec::new(), extent, bounds, wide }
+    }
+
+    /// The number of vertices.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.positions.len()
+    }
+
+    /// Whether there are no vertices.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.positions.is_empty()
+    }
+
+    /// Adds a plain point. Its id. O(1).
+    ///
+    /// # Panics
+    /// If a coordinate is not finite, or if there are 2^32 - 1 points.
+    pub fn push_plain(&mut self, point: [f64; D]) -> u32 {
+        assert!(point.iter().all(|x| x.is_finite()), "{point:?} is not finite");
+        self.add(point, PLAIN)
+    }
+
+    /// Adds a constructed point. Its id. O(1).
+    ///
+    /// # Errors
+    /// If the construction is not from plain points, makes no point, or is not one of this dimension.
+    ///
+    /// # Panics
+    /// If there are 2^32 - 1 points.
+    pub fn push(&mut self, construction: &Construction) -> Result<u32, ConstructionError> {
+        for id in construction.parents() {
+            match self.places.get(id as usize) {
+                None => return Err(ConstructionError::Unknown { id }),
+                Some(&place) if place != PLAIN => return Err(ConstructionError::NotPlain { id }),
+                Some(_) => {}
+            }
+        }
+        let exact = construction.value(|id| self.positions[id as usize])?;
+        let position = exact.x.each_ref().map(|x| nearest_ratio(x, &exact.w));
+        let is_exact = |axis: usize| {
+            position[axis].is_finite() && Dyadic::from(position[axis]) * &exact.w == exact.x[axis]
+        };
+        let rounded = !(0..D).all(is_exact);
+        let place = u32::try_from(self.values.len()).expect("fewer than 2^32 points");
+        self.values.push(Value { exact, rounded });
+        Ok(self.add(position, place))
+    }
+
+    fn add(&mut self, position: [f64; D], place: u32) -> u32 {
+        let id = u32::try_from(self.positions.len()).ok().filter(|&id| id != PLAIN);
+        self.positions.push(position);
+        self.places.push(place);
+        if self.extent.include(&position) {
+            [self.bounds, self.wide] = self.extent.bounds();
+        }
+        id.expect("fewer than 2^32 - 1 points")
+    }
+
+    /// The double nearest to each coordinate; infinite where that is beyond the largest. For drawing and export.
+    #[must_use]
+    pub fn position(&self, id: u32) -> [f64; D] {
+        self.positions[id as usize]
+    }
+
+    /// [`Constructed::position`] of all vertices, by id.
+    #[must_use]
+    pub fn positions(&self) -> &[[f64; D]] {
+        &self.positions
+    }
+
+    /// Whether a vertex is a plain point.
+    #[must_use]
+    pub fn is_plain(&self, id: u32) -> bool {
+        self.places[id as usize] == PLAIN
+    }
+
+    /// Whether [`Constructed::position`] is the vertex itself.
+    #[must_use]
+    pub fn is_exact_position(&self, id: u32) -> bool {
+        !self.is_rounded(id as usize)
+    }
+
+    /// The vertex exactly: numerators over one positive denominator, which is 1 but for crossings.
+    #[must_use]
+    pub fn exact(&self, id: u32) -> Homogeneous<Dyadic, D> {
+        self.exact_at(id as usize)
+    }
+
+    #[inline(always)]
+    fn is_rounded(&self, v: usize) -> bool {
+        let place = self.places[v];
+        place != PLAIN && self.values[place as usize].rounded
+    }
+
+    fn exact_at(&self, v: usize) -> Homogeneous<Dyadic, D> {
+        match self.places[v] {
+            PLAIN => Homogeneous::plain(self.positions[v].map(Dyadic::from)),
+            place => self.values[place as usize].exact.clone(),
+        }
+    }
+
+    fn approximate_at(&self, v: usize) -> Homogeneous<Approximate, D> {
+        let rounded = self.is_rounded(v);
+        let near = |x| if rounded { Approximate::nearest(x) } else { Approximate::exact(x) };
+        Homogeneous::plain(self.positions[v].map(near))
+    }
+
+    /// The plain kernel over the nearest doubles: for calls on vertices that are such.
+    #[inline(always)]
+    fn nearest(&self) -> Adaptive<&[[f64; D]]> {
+        Adaptive::bounded(&self.positions[..], self.bounds)
+    }
+
+    #[inline(always)]
+    fn all_exact<V: Id>(&self, mut vertices: impl Iterator<Item = V>) -> bool {
+        self.values.is_empty() || !vertices.any(|v| self.is_rounded(v.index()))
+    }
+
+    /// The last two stages: of the sign of a determinant over a ring.
+    #[inline(never)]
+    fn by_ring<V: Id>(
+        &self,
+        vertices: impl Iterator<Item = V> + Clone,
+        approximately: impl FnOnce(&[Homogeneous<Approximate, D>]) -> Approximate,
+        exactly: impl FnOnce(&[Homogeneous<Dyadic, D>]) -> Dyadic,
+    ) -> (Sign, Stage) {
+        let near: Call<_, D> = vertices.clone().map(|v| self.approximate_at(v.index())).collect();
+        debug_assert!(near.len() <= POINTS_MAX, "no call has more points");
+        if let Some(sign) = approximately(&near).sign() {
+            return (sign, Stage::DynamicFilter);
+        }
+        let points: Call<_, D> = vertices.map(|v| self.exact_at(v.index())).collect();
+        (exactly(&points).sign(), Stage::Dyadic)
+    }
+
+    fn orient_by_ring<V: Id>(&self, axes: &[usize], simplex: &[V]) -> (Sign, Stage) {
+        let k = axes.len();
+        assert_eq!(simplex.len(), k + 1, "orient in {k} axes takes {} points", k + 1);
+        let vertices = simplex.iter().copied();
+        self.by_ring(vertices, |p| ring::orient(p, axes), |p| ring::orient(p, axes))
+    }
+
+    fn lifted_by_ring<V: Id>(&self, axes: &[usize], simplex: &[V], q: V) -> (Sign, Stage) {
+        let k = axes.len();
+        assert_eq!(simplex.len(), k + 1, "in_sphere in {k} axes takes {} points", k + 2);
+        let vertices = simplex.iter().copied().chain([q]);
+        self.by_ring(vertices, |p| ring::lifted(p, axes), |p| ring::lifted(p, axes))
+    }
+
+    /// The first stage.
+    #[inline(always)]
+    fn by_static_filter(value: f64, bound: f64) -> Option<(Sign, Stage)> {
+        (value.abs() > bound).then(|| (Sign::of(value), Stage::StaticFilter))
+    }
+}
+
+/// The vertices of a call as points of N coordinates, where the caller knows that N is D.
+#[inline(always)]
+fn at<const D: usize, const N: usize, V: Id, const M: usize>(
+    positions: &[[f64; D]],
+    vertices: [V; M],
+) -> [&[f64; N]; M] {
+    vertices.map(|v| crate::adaptive::same(&positions[v.index()]))
+}
+
+impl<const D: usize> Kernel<D> for Constructed<D> {
+    type Reordered = Self;
+
+    /// The bounds stay those of all points of this kernel, also if `order` leaves some out.
+    fn reordered(&self, order: &[u32]) -> Self {
+        let mut values = Vec::new();
+        let mut place_of = |&i: &u32| {
+            let place = self.places[i as usize];
+            if place == PLAIN {
+                return PLAIN;
+            }
+            values.push(self.values[place as usize].clone());
+            u32::try_from(values.len() - 1).expect("no more values than vertices")
+        };
+        let places = order.iter().map(&mut place_of).collect();
+        let positions = crate::adaptive::gather(&self.positions, order);
+        let (extent, bounds, wide) = (self.extent, self.bounds, self.wide);
+        Self { positions, places, values, extent, bounds, wide }
+    }
+
+    fn orient_on<V: Id>(&self, axes: &[usize], simplex: &[V]) -> Sign {
+        if self.all_exact(simplex.iter().copied()) {
+            return self.nearest().orient_on(axes, simplex);
+        }
+        self.orient_by_ring(axes, simplex).0
+    }
+
+    fn lifted_on<V: Id>(&self, axes: &[usize], simplex: &[V], q: V) -> Sign {
+        if self.all_exact(simplex.iter().copied().chain([q])) {
+            return self.nearest().lifted_on(axes, simplex, q);
+        }
+        self.lifted_by_ring(axes, simplex, q).0
+    }
+
+    #[inline]
+    fn compare<V: Id>(&self, axis: usize, u: V, v: V) -> Ordering {
+        let (u, v) = (u.index(), v.index());
+        let (a, b) = (self.positions[u][axis], self.positions[v][axis]);
+        match a.partial_cmp(&b).expect("nearest doubles are numbers") {
+            Ordering::Equal if self.is_rounded(u) || self.is_rounded(v) => {
+                let difference = ring::compare(&self.exact_at(u), &self.exact_at(v), axis);
+                difference.cmp(&Dyadic::ZERO)
+            }
+            order => order,
+        }
+    }
+
+    #[inline(always)]
+    fn orient<V: Id>(&self, simplex: &[V]) -> Sign {
+        self.orient_staged(simplex).0
+    }
+
+    #[inline(always)]
+    fn lifted<V: Id>(&self, simplex: &[V], q: V) -> Sign {
+        self.lifted_staged(simplex, q).0
+    }
+
+    #[inline(always)]
+    fn orient_staged<V: Id>(&self, simplex: &[V]) -> (Sign, Stage) {
+        let value = match *simplex {
+            [a, b, c] if D == 2 => {
+                let [a, b, c] = at(&self.positions, [a, b, c]);
+                value::orient2d(a, b, c)
+            }
+            [a, b, c, d] if D == 3 => value::orient3d(at(&self.positions, [a, b, c, d])),
+            _ => 0.0,
+        };
+        Self::by_static_filter(value, self.wide.orient).unwrap_or_else(|| {
+            if self.all_exact(simplex.iter().copied()) {
+                self.nearest().orient_staged(simplex)
+            } else {
+                self.orient_by_ring(&all_axes::<D>(), simplex)
+            }
+        })
+    }
+
+    #[inline(always)]
+    fn lifted_staged<V: Id>(&self, simplex: &[V], q: V) -> (Sign, Stage) {
+        let value = match *simplex {
+            [a, b, c] if D == 2 => value::in_circle(at(&self.positions, [a, b, c, q])),
+            [a, b, c, d] if D == 3 => value::in_sphere(at(&self.positions, [a, b, c, d, q])),
+            _ => 0.0,
+        };
+        Self::by_static_filter(value, self.wide.lifted).unwrap_or_else(|| {
+            if self.all_exact(simplex.iter().copied().chain([q])) {
+                self.nearest().lifted_staged(simplex, q)
+            } else {
+                self.lifted_by_ring(&all_axes::<D>(), simplex, q)
+            }
+        })
+    }
+}
+
+impl PlaneKernel for Constructed<2> {
+    fn cross<V: Id>(&self, vertices: [V; 4]) -> Sign {
+        let value = value::cross(at(&self.positions, vertices));
+        if let Some((sign, _)) = Self::by_static_filter(value, self.wide.orient) {
+            return sign;
+        }
+        if self.all_exact(vertices.into_iter()) {
+            return self.nearest().cross(vertices);
+        }
+        fn four<T>(points: &[Homogeneous<T, 2>]) -> &[Homogeneous<T, 2>; 4] {
+            points.try_into().expect("four points")
+        }
+        let vertices = vertices.into_iter();
+        self.by_ring(vertices, |p| ring::cross(four(p)), |p| ring::cross(four(p))).0
+    }
+}
