@@ -62,7 +62,7 @@ pub fn bowyer_watson<const D: usize>(
 }
 
 /// `order` with the sites of `simplex` moved to its front.
-fn starting_with(simplex: &[u32], order: &[u32]) -> Vec<u32> {
+pub(crate) fn starting_with(simplex: &[u32], order: &[u32]) -> Vec<u32> {
     let rest = order.iter().filter(|site| !simplex.contains(site));
     simplex.iter().chain(rest).copied().collect()
 }

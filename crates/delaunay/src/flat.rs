@@ -4,7 +4,8 @@
 //! to one, so a further site is in the flat if and only if it is so in each projection onto `A` and one more axis.
 //! **Cost.** O(n D) exact orientations if all sites lie in a lower flat; a few otherwise.
 
-use delone_predicates::{Kernel, Sign};
+use delone_mesh::{Mesh, VertexId};
+use delone_predicates::{Kernel, Projected, Sign};
 
 /// A simplex of sites, positively oriented on `axes`, that spans the affine hull of all.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -54,4 +55,43 @@ fn independent_axis<const D: usize>(
         axes.remove(place);
     }
     None
+}
+
+/// Something to do in a flat of any dimension.
+pub(crate) trait InFlat {
+    /// Does it, in a flat that is seen as all of R^K.
+    fn run<const K: usize>(self, kernel: &impl Kernel<K>) -> Mesh<K>;
+}
+
+/// Does the work in the flat, of dimension 1 to D - 1, that the kernel's vertices lie in.
+pub(crate) fn in_flat<const D: usize>(
+    kernel: impl Kernel<D>,
+    flat: &Flat,
+    work: impl InFlat,
+) -> Mesh<D> {
+    match flat.axes.len() {
+        1 => in_axes::<D, 1>(kernel, flat, work),
+        2 => in_axes::<D, 2>(kernel, flat, work),
+        3 => in_axes::<D, 3>(kernel, flat, work),
+        4 => in_axes::<D, 4>(kernel, flat, work),
+        5 => in_axes::<D, 5>(kernel, flat, work),
+        6 => in_axes::<D, 6>(kernel, flat, work),
+        k => panic!("sites span {k} dimensions: predicates go to 7"),
+    }
+}
+
+fn in_axes<const D: usize, const K: usize>(
+    kernel: impl Kernel<D>,
+    flat: &Flat,
+    work: impl InFlat,
+) -> Mesh<D> {
+    let axes = std::array::from_fn(|i| flat.axes[i]);
+    Mesh::embed(&work.run(&Projected::<D, K, _>::new(kernel, axes)))
+}
+
+/// Vertices in line as a mesh of dimension 1 or 0.
+pub(crate) fn chain<const D: usize>(kernel: &impl Kernel<D>, order: &[u32]) -> Mesh<D> {
+    let mut line: Vec<VertexId> = order.iter().map(|&site| VertexId::new(site as usize)).collect();
+    line.sort_unstable_by(|&u, &v| kernel.compare_lexicographic(u, v));
+    Mesh::chain(&line)
 }

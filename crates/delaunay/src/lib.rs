@@ -17,6 +17,8 @@
 //! | [`delaunay()`] | | | always, unless you compare algorithms |
 //! | [`divide_conquer()`] | \[GS85\], \[Dwy87\] | O(n log n) | the plane: the fastest, and on several threads |
 //! | [`bowyer_watson()`] | \[Bow81\], \[Wat81\] | expected O(n log n) in the plane | any dimension, your own kernel |
+//! | [`flips()`] | \[Law77\], \[GKS92\] | expected O(n log n) | the plane, to compare |
+//! | [`flip_to_delaunay`] | \[Law77\] | O(n^2) | you have some triangulation of the plane |
 //! | [`naive_delaunay`] | the definition | O(n^(D+2)) | to test the others |
 //!
 //! # Contract
@@ -30,6 +32,7 @@ mod bowyer_watson;
 mod conflict;
 mod divide_conquer;
 mod flat;
+mod flips;
 mod locate;
 mod naive;
 mod registry;
@@ -38,8 +41,9 @@ mod result;
 pub use bowyer_watson::bowyer_watson;
 pub use conflict::{dig_conflicts, in_conflict};
 pub use divide_conquer::{divide_conquer, divide_conquer_in_parallel};
+pub use flips::{flip_to_delaunay, flips};
 pub use locate::{Coin, walk};
-pub use naive::naive_delaunay;
+pub use naive::{naive_delaunay, naive_mesh};
 pub use registry::{Algorithm, KernelKind, Options, Order, algorithms, delaunay};
 pub use result::{Delaunay, Fingerprint};
 

@@ -4,10 +4,12 @@ use std::any::Any;
 use std::num::NonZeroUsize;
 
 use delone_predicates::{Adaptive, Exact};
-use delone_probe::Probe;
+use delone_probe::{Event, Probe};
 use delone_sites::Sites;
 
-use crate::{Delaunay, bowyer_watson, divide_conquer, divide_conquer_in_parallel};
+use crate::{
+    Delaunay, bowyer_watson, divide_conquer, divide_conquer_in_parallel, flips, naive_mesh,
+};
 
 /// Which kernel answers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -59,6 +61,18 @@ impl Default for Options {
     }
 }
 
+impl Options {
+    /// The order of insertion.
+    pub(crate) fn order<const D: usize>(&self, sites: &Sites<D>) -> Vec<u32> {
+        match self.order {
+            Order::Brio => sites.brio_order(self.seed),
+            Order::Hilbert => sites.hilbert_order(),
+            Order::AsGiven => (0u32..).take(sites.len()).collect(),
+            Order::Lexicographic => sites.sorted().to_vec(),
+        }
+    }
+}
+
 /// One Delaunay algorithm.
 #[derive(Clone, Copy, Debug)]
 pub struct Algorithm<const D: usize> {
@@ -66,6 +80,8 @@ pub struct Algorithm<const D: usize> {
     pub name: &'static str,
     /// Keys of the papers it follows.
     pub papers: &'static [&'static str],
+    /// The most sites it is meant for: beyond, it is right, but nobody would wait for it.
+    pub sites_max: usize,
     /// Runs it.
     pub run: fn(&Sites<D>, &Options) -> Delaunay<D>,
     /// Runs it, on one thread, and tells the probe.
@@ -79,17 +95,48 @@ pub fn algorithms<const D: usize>() -> Vec<Algorithm<D>> {
     rows.push(Algorithm {
         name: "bowyer-watson",
         papers: &["Bow81", "Wat81", "DT11", "ACR03"],
+        sites_max: usize::MAX,
         run: |sites, options| delaunay(sites, options, &mut ()),
         run_with: |sites, options, mut probe| delaunay(sites, options, &mut probe),
+    });
+    rows.push(Algorithm {
+        name: "naive",
+        papers: &["DT11"],
+        sites_max: 40,
+        run: naive,
+        run_with: |sites, options, probe| {
+            let result = naive(sites, options);
+            probe.on(Event::Site { done: sites.len(), total: sites.len() });
+            result
+        },
     });
     rows
 }
 
+/// The definition.
+fn naive<const D: usize>(sites: &Sites<D>, options: &Options) -> Delaunay<D> {
+    let (points, order) = (sites.points(), options.order(sites));
+    Delaunay::new(match options.kernel {
+        KernelKind::Adaptive => naive_mesh(&Adaptive::new(points), &order),
+        KernelKind::Exact => naive_mesh(&Exact::new(points), &order),
+    })
+}
+
+/// Lawson's incremental flips.
+fn lawson(sites: &Sites<2>, options: &Options, probe: &mut impl Probe) -> Delaunay<2> {
+    let (points, order) = (sites.points(), options.order(sites));
+    Delaunay::new(match options.kernel {
+        KernelKind::Adaptive => flips(&Adaptive::new(points), &order, probe),
+        KernelKind::Exact => flips(&Exact::new(points), &order, probe),
+    })
+}
+
 /// Algorithms of the plane.
 fn planar() -> Vec<Algorithm<2>> {
-    vec![Algorithm {
+    let divide_conquer = Algorithm {
         name: "divide-conquer",
         papers: &["GS85", "LS80", "Dwy87", "She96", "DT11"],
+        sites_max: usize::MAX,
         run: |sites, options| {
             let (points, threads) = (sites.points(), options.threads);
             Delaunay::new(match options.kernel {
@@ -108,7 +155,15 @@ fn planar() -> Vec<Algorithm<2>> {
                 KernelKind::Exact => divide_conquer(&Exact::new(points), sites, &mut probe),
             })
         },
-    }]
+    };
+    let flips = Algorithm {
+        name: "flips",
+        papers: &["Law77", "GKS92", "DT11", "ACR03"],
+        sites_max: usize::MAX,
+        run: |sites, options| lawson(sites, options, &mut ()),
+        run_with: |sites, options, mut probe| lawson(sites, options, &mut probe),
+    };
+    vec![divide_conquer, flips]
 }
 
 /// These rows if D is their dimension K, else none. Where D is K, the two types are one, and a cast finds out.
@@ -123,12 +178,7 @@ pub fn delaunay<const D: usize>(
     options: &Options,
     probe: &mut impl Probe,
 ) -> Delaunay<D> {
-    let order = match options.order {
-        Order::Brio => sites.brio_order(options.seed),
-        Order::Hilbert => sites.hilbert_order(),
-        Order::AsGiven => (0u32..).take(sites.len()).collect(),
-        Order::Lexicographic => sites.sorted().to_vec(),
-    };
+    let order = options.order(sites);
     Delaunay::new(match options.kernel {
         KernelKind::Adaptive => bowyer_watson(&Adaptive::new(sites.points()), &order, probe),
         KernelKind::Exact => bowyer_watson(&Exact::new(sites.points()), &order, probe),

@@ -45,11 +45,15 @@ pub(crate) fn options(run: &cli::Run) -> Options {
     }
 }
 
-/// The algorithms that apply to a subject.
+/// The algorithms that apply to a subject, and are meant for as many sites.
 pub(crate) fn names(subject: &Subject) -> Vec<&'static str> {
+    fn delaunay<const D: usize>(count: usize) -> Vec<&'static str> {
+        let rows = delone_delaunay::algorithms::<D>();
+        rows.iter().filter(|row| count <= row.sites_max).map(|row| row.name).collect()
+    }
     match &subject.body {
-        Body::Plane(_) => delone_delaunay::algorithms::<2>().iter().map(|a| a.name).collect(),
-        Body::Space(_) => delone_delaunay::algorithms::<3>().iter().map(|a| a.name).collect(),
+        Body::Plane(sites) => delaunay::<2>(sites.len()),
+        Body::Space(sites) => delaunay::<3>(sites.len()),
         Body::Graph(_) => delone_cdt::algorithms().iter().map(|a| a.name).collect(),
     }
 }

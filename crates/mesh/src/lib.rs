@@ -25,7 +25,10 @@
 //! |---|---|
 //! | to walk over cells and facets, any dimension | [`Mesh::cells`], [`Mesh::facets`], [`Mesh::twin`], [`Mesh::apex`] |
 //! | half-edges and rings in the plane | [`HalfEdge`] and the methods of `Mesh<2>` |
+//! | to flip an edge of the plane | [`Mesh::flip`] |
 //! | to replace cells by a cone | [`Cavity`] and [`Mesh::star`] |
+//! | to replace cells by cells of another mesh | [`Cavity`] and [`Mesh::transplant`] |
+//! | a mesh from a list of cells | [`Mesh::from_cells`] |
 //! | to know that it is a sphere | [`Mesh::faults`] |
 //!
 //! # Contract
@@ -36,10 +39,13 @@
 //!
 //! **Not here.** Geometry (`delone-predicates`), construction (`delone-delaunay`), judgement (`delone-check`).
 
+mod assemble;
 mod cavity;
+mod flip;
 mod half_edge;
 mod handle;
 mod mesh;
+mod transplant;
 mod validate;
 
 pub use cavity::Cavity;

@@ -330,7 +330,7 @@ impl<const D: usize> Mesh<D> {
 }
 
 /// Reverses the orientation of a ghost cell whose ghost is at corner `i`.
-fn turn_round(corners: &mut [VertexId], i: usize) {
+pub(crate) fn turn_round(corners: &mut [VertexId], i: usize) {
     match *corners {
         [_] => {}
         [_, _] => corners.swap(0, 1),

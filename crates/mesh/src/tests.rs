@@ -164,3 +164,85 @@ fn parts_make_the_mesh_they_came_from() {
     let copy = Mesh::from_parts(2, mesh.vertices.clone(), mesh.twins.clone());
     assert_eq!(copy, mesh);
 }
+
+#[test]
+fn a_flip_exchanges_the_diagonal_and_three_more_bring_it_back() {
+    let mut mesh = Mesh::<2>::from_cells(2, &[0, 1, 2, 0, 2, 3].map(v)).unwrap();
+    let names = |mesh: &Mesh<2>| mesh.canonical(|v| u32::try_from(v.index()).unwrap());
+    let h = mesh.half_edge(v(0), v(2), CellId::new(0)).unwrap();
+    let (c, d) = (mesh.apex(h), mesh.apex(mesh.twin(h)));
+    mesh.flip(h);
+    assert_eq!(mesh.faults(Level::Sphere, 4), []);
+    assert_eq!(names(&mesh), [0, 1, 3, 1, 2, 3]);
+    assert_eq!((mesh.apex(h), mesh.apex(mesh.next(mesh.twin(mesh.next(h))))), (c, c));
+    assert!(mesh.corners(h.cell()).contains(&d), "the diagonal joins the apexes");
+    let diagonal = mesh.half_edge(v(1), v(3), h.cell()).unwrap();
+    mesh.flip(diagonal);
+    assert_eq!(mesh.faults(Level::Sphere, 4), []);
+    assert_eq!(names(&mesh), [0, 1, 2, 0, 2, 3]);
+}
+
+#[test]
+fn flips_of_ghost_edges_add_and_remove_a_triangle() {
+    let mut mesh = Mesh::<2>::from_cells(2, &[0, 1, 2, 0, 2, 3].map(v)).unwrap();
+    let cell = mesh.ghost_cells().find(|&c| mesh.corners(c).contains(&v(1))).unwrap();
+    let spoke = mesh.half_edge(v(1), VertexId::GHOST, cell).unwrap();
+    mesh.flip(spoke);
+    assert_eq!(mesh.faults(Level::Sphere, 4), []);
+    assert_eq!((mesh.solid_cells().count(), mesh.ghost_cells().count()), (3, 3));
+}
+
+#[test]
+fn cells_are_assembled_to_the_mesh_they_come_from() {
+    fn check<const D: usize>() {
+        for k in 0..=D {
+            let whole = simplex::<D>(k);
+            let cells: Vec<VertexId> =
+                whole.solid_cells().flat_map(|cell| whole.corners(cell).to_vec()).collect();
+            let mesh = Mesh::<D>::from_cells(k, &cells).unwrap();
+            assert_eq!(mesh.faults(Level::Sphere, k + 1), []);
+            assert_eq!(mesh.cell_count(), whole.cell_count());
+        }
+    }
+    check::<2>();
+    check::<4>();
+    let line = Mesh::<2>::from_cells(1, &[0, 1, 1, 2].map(v)).unwrap();
+    assert_eq!(line.faults(Level::Sphere, 3), []);
+}
+
+#[test]
+fn cells_that_do_not_fit_are_refused() {
+    let refused = |cells: &[usize]| {
+        let corners: Vec<VertexId> = cells.iter().map(|&i| v(i)).collect();
+        Mesh::<2>::from_cells(2, &corners).unwrap_err()
+    };
+    assert_eq!(refused(&[0, 1]), [MeshFault::Lengths]);
+    assert_eq!(refused(&[]), [MeshFault::Lengths]);
+    assert_eq!(refused(&[0, 1, 1]), [MeshFault::RepeatedCorner(CellId::new(0))]);
+    // Both on the left of 0 1.
+    assert!(matches!(refused(&[0, 1, 2, 0, 1, 3])[0], MeshFault::TwinVertices(..)));
+    // Three at one edge.
+    assert!(matches!(refused(&[0, 1, 2, 1, 0, 3, 0, 1, 4])[0], MeshFault::Twin(..)));
+}
+
+#[test]
+fn a_transplant_undoes_a_split() {
+    let mut mesh = simplex::<3>(3);
+    let donor = mesh.clone();
+    let mut cavity = Cavity::new();
+    cavity.begin(CellId::new(0));
+    mesh.facets(CellId::new(0)).for_each(|facet| cavity.push_rim(facet));
+    mesh.star(&cavity, v(4));
+    mesh.compact(|_, _| {});
+    let star: Vec<CellId> = mesh.cells().filter(|&c| mesh.corners(c).contains(&v(4))).collect();
+    let mut hole = Cavity::new();
+    hole.begin(star[0]);
+    star[1..].iter().for_each(|&cell| hole.dig(cell));
+    for &cell in &star {
+        hole.push_rim(FacetId::new(cell, mesh.corner_of(cell, v(4))));
+    }
+    mesh.transplant(&hole, &donor, &cavity, |u| u);
+    mesh.compact(|_, _| {});
+    assert_eq!(mesh.faults(Level::Sphere, 4), []);
+    assert_eq!(mesh.cell_count(), 5);
+}

@@ -85,7 +85,7 @@ impl<const D: usize> Mesh<D> {
         faults
     }
 
-    fn handle_faults(&self, vertex_count: usize) -> Vec<MeshFault> {
+    pub(crate) fn handle_faults(&self, vertex_count: usize) -> Vec<MeshFault> {
         if self.vertices.len() != self.twins.len() || !self.vertices.len().is_multiple_of(D + 1) {
             return vec![MeshFault::Lengths];
         }

@@ -1,7 +1,8 @@
 //! The laws of Delaunay triangulations.
 
 use delone::check::naive;
-use delone::delaunay::{Delaunay, Options, algorithms, delaunay};
+use delone::Sites;
+use delone::delaunay::{Algorithm, Delaunay, Options, algorithms, delaunay};
 
 use super::{Law, THOROUGH_MAX, all_options, scalings, symmetries, translations};
 use crate::case::Case;
@@ -27,10 +28,15 @@ fn run<const D: usize>(case: &Case<D>) -> Delaunay<D> {
     delaunay(&case.sites(), &Options::default(), &mut ())
 }
 
+/// The algorithms that are meant for as many sites.
+fn fitting<const D: usize>(sites: &Sites<D>) -> Vec<Algorithm<D>> {
+    algorithms().into_iter().filter(|algorithm| sites.len() <= algorithm.sites_max).collect()
+}
+
 fn valid<const D: usize>(case: &Case<D>) -> usize {
     let sites = case.sites();
     let rigour = if case.points.len() <= THOROUGH_MAX { Rigour::EveryWay } else { Rigour::Once };
-    let algorithms = algorithms::<D>();
+    let algorithms = fitting(&sites);
     for algorithm in &algorithms {
         let result = (algorithm.run)(&sites, &Options::default());
         accept_delaunay(case, &sites, &result, rigour);
@@ -41,7 +47,7 @@ fn valid<const D: usize>(case: &Case<D>) -> usize {
 fn agreement<const D: usize>(case: &Case<D>) -> usize {
     let sites = case.sites();
     let first = run(case).canonical();
-    let (algorithms, options) = (algorithms::<D>(), all_options());
+    let (algorithms, options) = (fitting(&sites), all_options());
     for algorithm in &algorithms {
         for options in &options {
             let other = (algorithm.run)(&sites, options).canonical();
