@@ -18,6 +18,7 @@
 //! |---|---|---|---|
 //! | [`chew()`] | \[Che89\] | O(n log n), whatever the segments | long segments that cross everything |
 //! | [`cavity()`] | \[SB15\] | Delaunay, then expected O(1) for each edge crossed | short segments, as on maps |
+//! | [`flips()`] | \[Slo93\], \[Law77\] | Delaunay, then O(m^2) flips for m edges crossed | to compare |
 //! | [`insert_segments`] | \[SB15\] | the second half of it | your own kernel or Delaunay mesh |
 //!
 //! | and then | what it is | time |
@@ -39,6 +40,8 @@ mod chain;
 mod chew;
 mod domain;
 mod fill;
+mod flips;
+mod naive;
 mod regions;
 mod registry;
 mod result;
@@ -48,7 +51,7 @@ pub use area::Area;
 pub use cavity::insert_segments;
 pub use domain::{Domain, EdgeKind, Fill, FillError, OpenVertex, Role, SeedFault};
 pub use regions::{RegionId, Regions};
-pub use registry::{Algorithm, algorithms, cavity, chew};
+pub use registry::{Algorithm, algorithms, cavity, chew, flips};
 pub use result::Cdt;
 pub use triangulate2d::{Interior, InteriorError, triangulate2d};
 
