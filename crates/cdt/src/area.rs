@@ -1,96 +1,113 @@
-//! Exact areas: an integer times a power of two.
+//! Exact areas: fractions.
 //!
-//! Coordinates are doubles, so they are integers over a power of two, and so are the areas of polygons between them.
+//! Coordinates of sites are doubles, so the areas of polygons between them are integers over a power of two. Crossings of
+//! segments have ratios as coordinates, and so the areas between them are ratios.
 //!
 //! **Degeneracies.**
 //! | case | answer | test |
 //! |---|---|---|
-//! | no area | `0` | `dyadics_are_told_in_lowest_terms` |
+//! | no area | `0` | `areas_are_told_in_lowest_terms` |
 //! | beyond or below the doubles | exact as text; the nearest double is infinite, denormal or zero | `the_nearest_double_is_nearest` |
+
+mod sum;
 
 use std::fmt;
 use std::ops::AddAssign;
 
-use dashu_int::IBig;
-use dashu_int::ops::BitTest;
+use dashu_int::ops::{BitTest, DivRem, Gcd, UnsignedAbs};
+use dashu_int::{IBig, UBig};
 
-/// `numerator * 2^exponent`, exactly. Displayed as `p` or `p/q` in lowest terms.
-///
-/// Equal numbers are equal: the numerator is odd, or zero with the exponent 0.
+pub(crate) use sum::Areas;
+
+/// An exact fraction. Displayed as `p` or `p/q` in lowest terms; equal numbers are equal.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Area {
     numerator: IBig,
-    exponent: i32,
+    /// At least 1, and without a common factor with the numerator.
+    denominator: UBig,
 }
 
 impl Default for Area {
     fn default() -> Self {
-        Self { numerator: IBig::ZERO, exponent: 0 }
+        Self { numerator: IBig::ZERO, denominator: UBig::ONE }
     }
 }
 
 impl Area {
-    pub(crate) fn new(numerator: IBig, exponent: i32) -> Self {
-        match numerator.trailing_zeros() {
-            None => Self::default(),
-            Some(zeros) => {
-                let shifted =
-                    i32::try_from(zeros).expect("areas of doubles have few thousand bits");
-                Self { numerator: numerator >> zeros, exponent: exponent + shifted }
-            }
+    /// `numerator / denominator`; the denominator is not zero.
+    pub(crate) fn ratio(numerator: IBig, denominator: UBig) -> Self {
+        let common = numerator.clone().unsigned_abs().gcd(&denominator);
+        Self {
+            numerator: numerator / IBig::from(common.clone()),
+            denominator: denominator / common,
         }
     }
 
-    /// The integer that times `2^low` is this number; `low` is at most the exponent.
-    fn aligned(&self, low: i32) -> IBig {
-        &self.numerator << size_of(i64::from(self.exponent - low))
+    /// `numerator * 2^exponent`.
+    pub(crate) fn dyadic(numerator: IBig, exponent: i64) -> Self {
+        let size = size_of(exponent);
+        if exponent >= 0 {
+            return Self { numerator: numerator << size, denominator: UBig::ONE };
+        }
+        let zeros = numerator.trailing_zeros().unwrap_or(size).min(size);
+        Self { numerator: numerator >> zeros, denominator: UBig::ONE << (size - zeros) }
     }
 
     /// The opposite number.
     #[must_use]
     pub fn negative(&self) -> Self {
-        Self { numerator: -&self.numerator, exponent: self.exponent }
+        Self { numerator: -&self.numerator, denominator: self.denominator.clone() }
     }
 
     /// The nearest double, ties to even.
     #[must_use]
     pub fn to_f64(&self) -> f64 {
-        let bits = signed(self.numerator.bit_len());
-        let top = bits + i64::from(self.exponent); // the number is below 2^top in absolute value
-        if bits == 0 || top < -1075 {
-            return 0.0;
-        }
-        if top > 1024 {
-            return if self.numerator > IBig::ZERO { f64::INFINITY } else { f64::NEG_INFINITY };
-        }
-        let unit = (top - 53).max(-1074); // a double of this size is a multiple of 2^unit
-        let shift = i64::from(self.exponent) - unit;
-        let size = size_of(shift);
-        let mantissa = if shift >= 0 {
-            self.numerator.clone() << size
+        let size = self.numerator.clone().unsigned_abs();
+        // The number is below 2^top, and not below 2^(top - 2).
+        let top = signed(size.bit_len()) - signed(self.denominator.bit_len()) + 1;
+        let nearest = if size.is_zero() || top < -1074 {
+            0.0
+        } else if top > 1026 {
+            f64::INFINITY
         } else {
-            rounded(&self.numerator, size)
+            // Two bits more than a double holds, or all that a denormal holds, and two; the rest only matters as "some".
+            let unit = (top - 55).max(-1076);
+            let shift = size_of(unit);
+            let (over, under) = if unit >= 0 {
+                (size, &self.denominator << shift)
+            } else {
+                (size << shift, self.denominator.clone())
+            };
+            let (quotient, rest) = over.div_rem(under);
+            rounded(&quotient, !rest.is_zero(), unit)
         };
-        // The product is a double, or overflows as rounding should.
-        mantissa.to_f64().value() * power_of_two(unit)
+        if self.numerator < IBig::ZERO { -nearest } else { nearest }
     }
 }
 
+/// The double nearest to `(quotient + some) * 2^unit`, where `some` is between 0 and 1, and positive if there `is_more`.
+fn rounded(quotient: &UBig, is_more: bool, unit: i64) -> f64 {
+    // A double of this size is a multiple of 2^(unit + extra).
+    let extra = (signed(quotient.bit_len()) - 53).max(-1074 - unit).max(0);
+    let dropped = size_of(extra);
+    let floor = quotient >> dropped;
+    let up = dropped > 0 && quotient.bit(dropped - 1) && {
+        let below = quotient.trailing_zeros().is_some_and(|zeros| zeros < dropped - 1);
+        below || is_more || floor.bit(0)
+    };
+    let mantissa = if up { floor + UBig::ONE } else { floor };
+    // At most 2^53: exact. The product is a double, or overflows as rounding should.
+    let mantissa = u64::try_from(mantissa).expect("53 bits, or 2^53");
+    let scale = unit + extra;
+    if scale > 971 { f64::INFINITY } else { mantissa as f64 * power_of_two(scale) }
+}
+
 fn signed(bits: usize) -> i64 {
-    i64::try_from(bits).expect("areas of doubles have a few thousand bits")
+    i64::try_from(bits).expect("numbers of bits are small")
 }
 
 fn size_of(shift: i64) -> usize {
-    usize::try_from(shift.unsigned_abs()).expect("areas of doubles have a few thousand bits")
-}
-
-/// `numerator / 2^bits`, to the nearest integer, ties to even.
-fn rounded(numerator: &IBig, bits: usize) -> IBig {
-    let doubled: IBig = numerator >> (bits - 1); // one bit more, rounded down
-    let floor: IBig = &doubled >> 1;
-    let half = (&doubled << (bits - 1)) == *numerator; // at most one half is left
-    let above = doubled.bit(0) && (!half || floor.bit(0));
-    if above { floor + IBig::ONE } else { floor }
+    usize::try_from(shift.unsigned_abs()).expect("numbers of bits are small")
 }
 
 /// 2^exponent, for exponents from -1074 to 971.
@@ -105,70 +122,28 @@ fn power_of_two(exponent: i64) -> f64 {
 
 impl AddAssign<&Self> for Area {
     fn add_assign(&mut self, other: &Self) {
-        let low = self.exponent.min(other.exponent);
-        *self = Self::new(self.aligned(low) + other.aligned(low), low);
+        *self = self.plus(other);
+    }
+}
+
+impl Area {
+    fn plus(&self, other: &Self) -> Self {
+        let [b, d] = [&self.denominator, &other.denominator].map(|q| IBig::from(q.clone()));
+        Self::ratio(
+            &self.numerator * &d + &other.numerator * &b,
+            &self.denominator * &other.denominator,
+        )
     }
 }
 
 impl fmt::Display for Area {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let size = size_of(i64::from(self.exponent));
-        if self.exponent >= 0 {
-            write!(f, "{}", &self.numerator << size)
+        if self.denominator.is_one() {
+            write!(f, "{}", self.numerator)
         } else {
-            write!(f, "{}/{}", self.numerator, IBig::ONE << size)
+            write!(f, "{}/{}", self.numerator, self.denominator)
         }
     }
-}
-
-/// Points as integers over one power of two.
-#[derive(Clone, Debug)]
-pub(crate) struct Lattice {
-    low: i32,
-}
-
-impl Lattice {
-    /// The coarsest lattice that holds all the coordinates.
-    pub(crate) fn of(points: &[[f64; 2]]) -> Self {
-        let low = points.iter().flatten().filter(|&&x| x != 0.0).map(|&x| decode(x).1).min();
-        Self { low: low.unwrap_or(0) }
-    }
-
-    fn integer(&self, x: f64) -> IBig {
-        let (mantissa, exponent) = decode(x);
-        if mantissa == 0 {
-            return IBig::ZERO;
-        }
-        IBig::from(mantissa) << usize::try_from(exponent - self.low).expect("low is least")
-    }
-
-    /// Twice the signed area of a triangle, in units of the lattice.
-    pub(crate) fn twice_area(&self, [a, b, c]: [[f64; 2]; 3]) -> IBig {
-        let [ax, ay] = a.map(|x| self.integer(x));
-        let minus = |p: [f64; 2]| [self.integer(p[0]) - &ax, self.integer(p[1]) - &ay];
-        let ([bx, by], [cx, cy]) = (minus(b), minus(c));
-        bx * cy - by * cx
-    }
-
-    /// The area, of its double in units of the lattice.
-    pub(crate) fn area(&self, twice: IBig) -> Area {
-        Area::new(twice, 2 * self.low - 1)
-    }
-}
-
-/// `x = mantissa * 2^exponent`, the mantissa odd or zero.
-fn decode(x: f64) -> (i64, i32) {
-    let bits = x.abs().to_bits();
-    let biased = i32::try_from(bits >> 52).expect("11 bits");
-    let fraction = i64::try_from(bits & ((1 << 52) - 1)).expect("52 bits");
-    let (mantissa, exponent) =
-        if biased == 0 { (fraction, -1074) } else { (fraction | 1 << 52, biased - 1075) };
-    if mantissa == 0 {
-        return (0, 0);
-    }
-    let zeros = mantissa.trailing_zeros();
-    let odd = mantissa >> zeros;
-    (if x < 0.0 { -odd } else { odd }, exponent.saturating_add_unsigned(zeros))
 }
 
 #[cfg(test)]

@@ -15,7 +15,7 @@
 //! are left out of z, so slits and bridges disturb no rule. Nesting always has an answer, which is that of even-odd where z
 //! counts each segment once and closes.
 //!
-//! **In.** A CDT, its PSLG, a rule. **Out.** Depth, winding and side of each region, the kind of each subsegment.
+//! **In.** A CDT, its noded graph ([`Pslg`](delone_sites::Pslg) or [`Arrangement`](delone_sites::Arrangement)), a rule. **Out.** Depth, winding and side of each region, the kind of each subsegment.
 //! **Cost.** O(n), and for seeds O(n) each.
 //!
 //! **Degeneracies.**
@@ -36,7 +36,7 @@ mod rule;
 mod seeds;
 
 use delone_mesh::CellId;
-use delone_sites::Pslg;
+use delone_sites::Noded;
 
 use crate::regions::{RegionId, Regions, Shore};
 use crate::{Area, Cdt};
@@ -72,16 +72,16 @@ pub struct Domain {
 }
 
 impl Domain {
-    /// Fills the CDT of a PSLG by a rule. O(n) (seeds: each O(n) more).
+    /// Fills the CDT of a noded graph by a rule. O(n) (seeds: each O(n) more).
     ///
     /// # Errors
     /// If the rule asks for a chain and the input does not close; if seeds are not finite or lie on segments; if there are
     /// not as many roles as segments. Every violation is listed.
-    pub fn new(cdt: &Cdt, pslg: &Pslg, fill: &Fill) -> Result<Self, FillError> {
+    pub fn new(cdt: &Cdt, graph: &impl Noded, fill: &Fill) -> Result<Self, FillError> {
         let shore = if *fill == Fill::Hull { Shore::Hull } else { Shore::Segments };
-        let regions = Regions::up_to(shore, cdt, pslg);
+        let regions = Regions::up_to(shore, cdt, graph);
         let depths = chain::depths(&regions);
-        let chain = chain::of_rule(&regions, pslg, fill)?;
+        let chain = chain::of_rule(&regions, graph, fill)?;
         let count = regions.count();
         let inside: Vec<bool> = match (fill, &chain) {
             (Fill::NonZero, Some(winding)) => winding.iter().map(|&w| w != 0).collect(),
@@ -89,15 +89,15 @@ impl Domain {
             (Fill::Nesting, None) => depths.iter().map(|depth| depth % 2 == 1).collect(),
             (Fill::Seeds(seeds), None) => {
                 let mut inside: Vec<bool> = (0..count).map(|region| region > 0).collect();
-                for region in seeds::regions(cdt, pslg, &regions, seeds)? {
+                for region in seeds::regions(cdt, graph, &regions, seeds)? {
                     inside[region as usize] = false;
                 }
                 inside
             }
             (_, None) => (0..count).map(|region| region > 0).collect(),
         };
-        let measures = measure::measure(cdt, pslg, &regions);
-        let kinds = edges::kinds(&regions, pslg, &inside);
+        let measures = measure::measure(cdt, graph, &regions);
+        let kinds = edges::kinds(&regions, graph, &inside);
         let (areas, seeds) = measures.into_iter().unzip();
         Ok(Self { regions, areas, seeds, depths, chain, inside, kinds })
     }
@@ -168,10 +168,10 @@ impl Domain {
     /// The subsegments of one kind, as pairs of sites.
     pub fn edges<'a>(
         &'a self,
-        pslg: &'a Pslg,
+        graph: &'a impl Noded,
         kind: EdgeKind,
     ) -> impl Iterator<Item = [u32; 2]> + Clone + 'a {
-        let all = pslg.subsegments().iter().zip(&self.kinds);
+        let all = graph.subsegments().iter().zip(&self.kinds);
         all.filter(move |(_, found)| **found == kind).map(|(&ends, _)| ends)
     }
 }

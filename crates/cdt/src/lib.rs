@@ -51,7 +51,7 @@ pub use area::Area;
 pub use cavity::insert_segments;
 pub use domain::{Domain, EdgeKind, Fill, FillError, OpenVertex, Role, SeedFault};
 pub use regions::{RegionId, Regions};
-pub use registry::{Algorithm, algorithms, cavity, chew, flips};
+pub use registry::{Algorithm, algorithms, cavity, cdt_of_arrangement, chew, flips};
 pub use result::Cdt;
 pub use triangulate2d::{Interior, InteriorError, triangulate2d};
 

@@ -10,7 +10,7 @@
 //! **Definition.** Two cells are in one region if a path leads from one to the other that crosses no constrained edge; all
 //! ghosts are in one. Regions are numbered by their leftmost triangle, so that neither order of input nor algorithm matters.
 //!
-//! **In.** A CDT and its PSLG. **Out.** The region of each cell, and for each subsegment the regions on its two sides.
+//! **In.** A CDT and its noded graph. **Out.** The region of each cell, and for each subsegment the regions on its two sides.
 //! **Cost.** O(n).
 //!
 //! **Degeneracies.**
@@ -21,7 +21,7 @@
 //! | a segment with one region on both sides | separates nothing; a bridge if it joins two circuits, else a slit | `slits_and_bridges_are_told_apart` |
 
 use delone_mesh::{CellId, HalfEdge, Mesh};
-use delone_sites::Pslg;
+use delone_sites::Noded;
 
 use crate::Cdt;
 
@@ -48,15 +48,15 @@ pub struct Regions {
 }
 
 impl Regions {
-    /// The regions of the CDT of this PSLG.
+    /// The regions of the CDT of this graph.
     #[must_use]
-    pub fn new(cdt: &Cdt, pslg: &Pslg) -> Self {
-        Self::up_to(Shore::Segments, cdt, pslg)
+    pub fn new(cdt: &Cdt, graph: &impl Noded) -> Self {
+        Self::up_to(Shore::Segments, cdt, graph)
     }
 
-    pub(crate) fn up_to(shore: Shore, cdt: &Cdt, pslg: &Pslg) -> Self {
+    pub(crate) fn up_to(shore: Shore, cdt: &Cdt, graph: &impl Noded) -> Self {
         let mesh = cdt.mesh();
-        let subsegments = pslg.subsegments().len();
+        let subsegments = graph.subsegments().len();
         if mesh.dimension() != Some(2) {
             let of_cell = vec![0; mesh.cell_count()];
             return Self { of_cell, count: 1, sides: vec![[0; 2]; subsegments], shore: Vec::new() };
@@ -65,7 +65,7 @@ impl Regions {
             let is_hull = mesh.is_ghost(h.cell()) != mesh.is_ghost(mesh.twin(h).cell());
             cdt.is_constrained(h) || (shore == Shore::Hull && is_hull)
         };
-        let (of_cell, count) = flooded(mesh, &starts(mesh, &pslg.sites().ranks()), is_cut);
+        let (of_cell, count) = flooded(mesh, &starts(mesh, &graph.ranks()), is_cut);
         let shore = mesh.ghost_cells().flat_map(|cell| mesh.facets(cell));
         let shore = shore.filter(|&h| is_cut(h) && !cdt.is_constrained(h));
         let mut shore: Vec<RegionId> =
@@ -76,8 +76,8 @@ impl Regions {
         for h in mesh.cells().flat_map(|cell| mesh.facets(cell)).filter(|&h| cdt.is_constrained(h))
         {
             let [a, b] = [mesh.origin(h), mesh.destination(h)].map(|v| id(v.index()));
-            let place = pslg.subsegments().binary_search(&[a.min(b), a.max(b)]);
-            let place = place.expect("a constrained edge is a subsegment of its PSLG");
+            let place = graph.subsegments().binary_search(&[a.min(b), a.max(b)]);
+            let place = place.expect("a constrained edge is a subsegment of its graph");
             regions.sides[place][usize::from(a > b)] = regions.of_cell[h.cell().index()];
         }
         regions

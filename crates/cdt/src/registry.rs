@@ -1,10 +1,10 @@
 //! Every CDT algorithm by name: what the lab, the tests and the benches walk.
 
-use delone_delaunay::{KernelKind, Options, divide_conquer};
+use delone_delaunay::{KernelKind, Options, bowyer_watson, divide_conquer};
 use delone_mesh::{Mesh, VertexId};
 use delone_predicates::{Adaptive, Exact, PlaneKernel};
 use delone_probe::{Event, Probe};
-use delone_sites::Pslg;
+use delone_sites::{Arrangement, Pslg, scatter};
 
 use crate::flips::insert_by_flips;
 use crate::{Cdt, chain, insert_segments, naive};
@@ -22,6 +22,8 @@ pub struct Algorithm {
     pub run: fn(&Pslg, &Options) -> Cdt,
     /// Runs it and tells the probe.
     pub run_with: fn(&Pslg, &Options, &mut dyn Probe) -> Cdt,
+    /// Runs it on segments that may cross, and tells the probe; the kernel is that of the arrangement.
+    pub run_crossed: fn(&Arrangement, &mut dyn Probe) -> Cdt,
 }
 
 /// All algorithms; the first is the one to take if nothing speaks for another.
@@ -34,6 +36,7 @@ pub fn algorithms() -> Vec<Algorithm> {
             sites_max: usize::MAX,
             run: |pslg, options| cavity(pslg, options, &mut ()),
             run_with: |pslg, options, mut probe| cavity(pslg, options, &mut probe),
+            run_crossed: |graph, mut probe| crossed(Method::Cavity, graph, &mut probe),
         },
         Algorithm {
             name: "chew",
@@ -41,6 +44,7 @@ pub fn algorithms() -> Vec<Algorithm> {
             sites_max: usize::MAX,
             run: |pslg, options| chew(pslg, options, &mut ()),
             run_with: |pslg, options, mut probe| chew(pslg, options, &mut probe),
+            run_crossed: |graph, mut probe| crossed(Method::Chew, graph, &mut probe),
         },
         Algorithm {
             name: "flips",
@@ -48,6 +52,7 @@ pub fn algorithms() -> Vec<Algorithm> {
             sites_max: usize::MAX,
             run: |pslg, options| flips(pslg, options, &mut ()),
             run_with: |pslg, options, mut probe| flips(pslg, options, &mut probe),
+            run_crossed: |graph, mut probe| crossed(Method::Flips, graph, &mut probe),
         },
         Algorithm {
             name: "naive",
@@ -55,6 +60,7 @@ pub fn algorithms() -> Vec<Algorithm> {
             sites_max: 40,
             run: |pslg, options| by_definition(pslg, options, &mut ()),
             run_with: |pslg, options, mut probe| by_definition(pslg, options, &mut probe),
+            run_crossed: |graph, mut probe| crossed(Method::Naive, graph, &mut probe),
         },
     ]
 }
@@ -176,6 +182,25 @@ where
     let sites = pslg.sites();
     let graph = Graph { sorted: sites.sorted(), subsegments: pslg.subsegments() };
     method.run(kernel, graph, |probe| divide_conquer(kernel, sites, probe), probe)
+}
+
+/// The CDT of an arrangement. Its Delaunay mesh is made in random order: vertices that round alike have no place on a curve.
+fn crossed(method: Method, graph: &Arrangement, probe: &mut impl Probe) -> Cdt {
+    let delaunay = |probe: &mut _| {
+        let mut order: Vec<(u64, u32)> =
+            (0u64..).map(scatter).zip(graph.sorted().iter().copied()).collect();
+        order.sort_unstable();
+        let order: Vec<u32> = order.into_iter().map(|(_, vertex)| vertex).collect();
+        bowyer_watson(graph.kernel(), &order, probe)
+    };
+    let abstracted = Graph { sorted: graph.sorted(), subsegments: graph.subsegments() };
+    method.run(graph.kernel(), abstracted, delaunay, probe)
+}
+
+/// The CDT of segments that may cross, every crossing a vertex: by Delaunay triangulation and [`insert_segments`], under the
+/// arrangement's own kernel.
+pub fn cdt_of_arrangement(graph: &Arrangement, probe: &mut impl Probe) -> Cdt {
+    crossed(Method::Cavity, graph, probe)
 }
 
 /// The CDT by Chew's divide and conquer.

@@ -14,7 +14,7 @@ use std::fmt;
 
 use delone_delaunay::Options;
 use delone_mesh::{CellId, VertexId};
-use delone_sites::{Pslg, PslgError};
+use delone_sites::{Noded, Pslg, PslgError};
 
 use crate::regions::id;
 use crate::{Cdt, Domain, EdgeKind, Fill, FillError, cavity};
@@ -85,10 +85,10 @@ pub fn triangulate2d(
 impl Interior {
     /// The inside of a filled CDT.
     #[must_use]
-    pub fn of(cdt: &Cdt, pslg: &Pslg, domain: Domain) -> Self {
-        let input_of = pslg.sites().input_of();
+    pub fn of(cdt: &Cdt, graph: &impl Noded, domain: Domain) -> Self {
+        let names = graph.names();
         let corners = |cell: CellId| {
-            let v = |corner| input_of[VertexId::index(cdt.mesh().vertex(cell, corner))];
+            let v = |corner| names[VertexId::index(cdt.mesh().vertex(cell, corner))];
             smallest_first([v(0), v(1), v(2)])
         };
         let inside = domain.cells(cdt).map(|cell| (corners(cell), domain.regions().of_cell(cell)));
@@ -100,10 +100,10 @@ impl Interior {
         ev.sort_unstable();
         ev.dedup();
         let place = |subsegment: [u32; 2]| {
-            ev.binary_search(&ascending(subsegment.map(|site| input_of[site as usize]))).ok()
+            ev.binary_search(&ascending(subsegment.map(|v| names[v as usize]))).ok()
         };
         let mut kinds = vec![None; ev.len()];
-        let places: Vec<Option<usize>> = pslg.subsegments().iter().map(|&s| place(s)).collect();
+        let places: Vec<Option<usize>> = graph.subsegments().iter().map(|&s| place(s)).collect();
         for (found, &kind) in places.iter().zip(domain.kinds()) {
             if let Some(edge) = *found {
                 kinds[edge] = Some(kind);
@@ -112,7 +112,7 @@ impl Interior {
         let pieces = |chain: &Vec<u32>| {
             chain.iter().filter_map(|&piece| places[piece as usize].map(id)).collect()
         };
-        let pieces = pslg.chains().iter().map(pieces).collect();
+        let pieces = graph.chains().iter().map(pieces).collect();
         Self { ev, fv, regions, kinds, pieces, domain }
     }
 }

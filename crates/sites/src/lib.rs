@@ -18,6 +18,7 @@
 //! |---|---|---|
 //! | points | [`Sites`] | O(n log n) |
 //! | points and segments in the plane | [`Pslg`] | O(n log n), see its page |
+//! | segments that cross | [`Arrangement`] | the same, for n with the crossings |
 //! | sites to insert one by one | [`Sites::brio_order`] | O(n log n) |
 //!
 //! # Contract
@@ -27,12 +28,16 @@
 //!
 //! **Not here.** Reading files: `delone-formats`.
 
+mod arrangement;
 mod boxes;
+mod noded;
 mod order;
 mod pslg;
 mod sites;
 mod sweep;
 
+pub use arrangement::Arrangement;
+pub use noded::Noded;
 pub use order::{Curve, scatter, sortable};
 pub use pslg::{Coverage, Crossing, Pslg, PslgError, PslgFault};
 pub use sites::{NotFinite, Sites, SitesError};

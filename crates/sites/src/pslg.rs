@@ -36,24 +36,30 @@ mod tests;
 /// A noded planar straight-line graph.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pslg {
-    sites: Sites<2>,
-    segments: Vec<[u32; 2]>,
-    subsegments: Vec<[u32; 2]>,
-    chains: Vec<Vec<u32>>,
-    dropped: Vec<u32>,
+    pub(crate) sites: Sites<2>,
+    pub(crate) segments: Vec<[u32; 2]>,
+    pub(crate) subsegments: Vec<[u32; 2]>,
+    pub(crate) chains: Vec<Vec<u32>>,
+    pub(crate) dropped: Vec<u32>,
 }
 
 impl Pslg {
     /// Checks and nodes points and segments (pairs of point indices).
     ///
     /// Equal points become one site, segments are cut at the points on them, pieces that are covered several times are
-    /// kept once (and [counted](Pslg::coverage)), segments of no length are dropped. [`Pslg::strict`] refuses all that.
+    /// kept once (and [counted](crate::Noded::coverage)), segments of no length are dropped. [`Pslg::strict`] refuses all that.
     ///
     /// # Errors
     /// With every coordinate that is not finite, every segment that names no point, and every crossing of the others.
     pub fn new(points: &[[f64; 2]], segments: &[[usize; 2]]) -> Result<Self, PslgError> {
         let Survey { pslg, mut faults, names } = Survey::of(points, segments);
         faults.extend(names.crossings(&pslg));
+        if faults.is_empty() { Ok(pslg) } else { Err(PslgError(faults)) }
+    }
+
+    /// Nodes points and segments, which may cross; or says why it cannot.
+    pub(crate) fn crossed(points: &[[f64; 2]], segments: &[[usize; 2]]) -> Result<Self, PslgError> {
+        let Survey { pslg, faults, .. } = Survey::of(points, segments);
         if faults.is_empty() { Ok(pslg) } else { Err(PslgError(faults)) }
     }
 

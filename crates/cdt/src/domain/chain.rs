@@ -2,7 +2,7 @@
 
 use std::collections::VecDeque;
 
-use delone_sites::{Coverage, Pslg};
+use delone_sites::{Coverage, Noded};
 
 use super::{Fill, FillError, OpenVertex, Role};
 use crate::regions::Regions;
@@ -15,27 +15,31 @@ pub(super) fn depths(regions: &Regions) -> Vec<u32> {
 /// The chain that a rule asks for, if it asks for one.
 pub(super) fn of_rule(
     regions: &Regions,
-    pslg: &Pslg,
+    graph: &impl Noded,
     fill: &Fill,
 ) -> Result<Option<Vec<i64>>, FillError> {
     match fill {
-        Fill::EvenOdd => parity(regions, pslg, &pslg.coverage()).map(Some),
+        Fill::EvenOdd => parity(regions, graph, &graph.coverage()).map(Some),
         Fill::Tagged(roles) => {
-            let segments = pslg.segments().len();
+            let segments = graph.segments().len();
             if roles.len() != segments {
                 return Err(FillError::Roles { segments, roles: roles.len() });
             }
             let bounds = |segment: u32| roles[segment as usize] == Role::Boundary;
-            parity(regions, pslg, &pslg.coverage_where(bounds)).map(Some)
+            parity(regions, graph, &graph.coverage_where(bounds)).map(Some)
         }
-        Fill::NonZero | Fill::Positive => winding(regions, pslg, &pslg.coverage()).map(Some),
+        Fill::NonZero | Fill::Positive => winding(regions, graph, &graph.coverage()).map(Some),
         Fill::Hull | Fill::Nesting | Fill::Exterior | Fill::Seeds(_) => Ok(None),
     }
 }
 
-fn parity(regions: &Regions, pslg: &Pslg, coverage: &[Coverage]) -> Result<Vec<i64>, FillError> {
+fn parity(
+    regions: &Regions,
+    graph: &impl Noded,
+    coverage: &[Coverage],
+) -> Result<Vec<i64>, FillError> {
     let times = |subsegment: usize| i64::from(coverage[subsegment].times);
-    let open = excesses(regions, pslg, |subsegment| [times(subsegment); 2], |sum| sum % 2 != 0);
+    let open = excesses(regions, graph, |subsegment| [times(subsegment); 2], |sum| sum % 2 != 0);
     if !open.is_empty() {
         return Err(FillError::OddVertices(open));
     }
@@ -44,9 +48,13 @@ fn parity(regions: &Regions, pslg: &Pslg, coverage: &[Coverage]) -> Result<Vec<i
     Ok(chain)
 }
 
-fn winding(regions: &Regions, pslg: &Pslg, coverage: &[Coverage]) -> Result<Vec<i64>, FillError> {
+fn winding(
+    regions: &Regions,
+    graph: &impl Noded,
+    coverage: &[Coverage],
+) -> Result<Vec<i64>, FillError> {
     let net = |subsegment: usize| coverage[subsegment].net;
-    let open = excesses(regions, pslg, |s| [-net(s), net(s)], |sum| sum != 0);
+    let open = excesses(regions, graph, |s| [-net(s), net(s)], |sum| sum != 0);
     if !open.is_empty() {
         return Err(FillError::Unbalanced(open));
     }
@@ -60,26 +68,21 @@ fn winding(regions: &Regions, pslg: &Pslg, coverage: &[Coverage]) -> Result<Vec<
 /// The vertices where what the separating subsegments bring, to their smaller and larger ends, adds up to what `is_open`.
 fn excesses(
     regions: &Regions,
-    pslg: &Pslg,
+    graph: &impl Noded,
     brought: impl Fn(usize) -> [i64; 2],
     is_open: impl Fn(i64) -> bool,
 ) -> Vec<OpenVertex> {
-    let sites = pslg.sites();
-    let mut sums = vec![0; sites.len()];
-    for (subsegment, ends) in pslg.subsegments().iter().enumerate() {
+    let mut sums = vec![0; graph.positions().len()];
+    for (subsegment, ends) in graph.subsegments().iter().enumerate() {
         if regions.separates(subsegment) {
             for (&end, value) in ends.iter().zip(brought(subsegment)) {
                 sums[end as usize] += value;
             }
         }
     }
-    let open = sums.into_iter().enumerate().filter(|&(_, sum)| is_open(sum));
-    open.map(|(site, excess)| OpenVertex {
-        point: sites.input_of()[site],
-        at: sites.points()[site],
-        excess,
-    })
-    .collect()
+    let vertices = graph.names().into_iter().zip(graph.positions()).zip(sums);
+    let open = vertices.filter(|&(_, sum)| is_open(sum));
+    open.map(|((point, &at), excess)| OpenVertex { point, at, excess }).collect()
 }
 
 /// Spreads values from the exterior, which has the zero as has what it meets at the hull, into all regions, breadth first. `step` is given the value, the

@@ -2,7 +2,7 @@
 
 use std::collections::VecDeque;
 
-use delone_sites::Pslg;
+use delone_sites::Noded;
 
 use crate::regions::{RegionId, Regions};
 
@@ -43,9 +43,9 @@ impl EdgeKind {
 }
 
 /// The kind of each subsegment.
-pub(super) fn kinds(regions: &Regions, pslg: &Pslg, inside: &[bool]) -> Vec<EdgeKind> {
+pub(super) fn kinds(regions: &Regions, graph: &impl Noded, inside: &[bool]) -> Vec<EdgeKind> {
     let crossings = crossings(regions, inside);
-    let core = core(pslg);
+    let core = core(graph);
     let kind = |(subsegment, &[left, right]): (usize, &[RegionId; 2])| {
         if left == right {
             return if core[subsegment] { EdgeKind::Bridge } else { EdgeKind::Slit };
@@ -95,9 +95,9 @@ fn crossings(regions: &Regions, inside: &[bool]) -> Vec<u32> {
 }
 
 /// Which subsegments remain when those with a free end are taken away, again and again: circuits and what joins them.
-fn core(pslg: &Pslg) -> Vec<bool> {
-    let subsegments = pslg.subsegments();
-    let mut at = vec![Vec::new(); pslg.sites().len()];
+fn core(graph: &impl Noded) -> Vec<bool> {
+    let subsegments = graph.subsegments();
+    let mut at = vec![Vec::new(); graph.positions().len()];
     for (subsegment, ends) in subsegments.iter().enumerate() {
         ends.iter().for_each(|&site| at[site as usize].push(subsegment));
     }

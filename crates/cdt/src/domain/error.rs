@@ -5,7 +5,7 @@ use std::fmt;
 /// A vertex where the chain of the input does not close.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OpenVertex {
-    /// The first input point at the vertex.
+    /// The first input point at the vertex; crossings are numbered after the input points.
     pub point: u32,
     /// Where it is.
     pub at: [f64; 2],

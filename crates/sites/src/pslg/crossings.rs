@@ -26,32 +26,42 @@ impl Pslg {
 
     /// Every pair of input segments that cross, by index. O(those near each other): for input that is refused.
     fn list_crossings(&self) -> Vec<Crossing> {
-        let points = self.sites.points();
-        let ends = |piece: u32| self.subsegments[piece as usize].map(|site| points[site as usize]);
-        let boxes: Vec<Box2> =
-            (0u32..).take(self.subsegments.len()).map(&ends).map(|[a, b]| Box2::of(a, b)).collect();
-        let tree = BoxTree::new(&boxes);
         let parents = self.parents();
         let mut crossings = Vec::new();
-        for piece in (0u32..).take(self.subsegments.len()) {
-            let [a, b] = ends(piece);
-            tree.for_each_near(a, b, |other| {
-                if other <= piece {
-                    return;
+        for [piece, other] in self.crossing_pieces() {
+            let [[a, b], [c, d]] = [piece, other].map(|piece| self.ends(piece));
+            for &s in &parents[piece as usize] {
+                for &t in &parents[other as usize] {
+                    let segments = [s.min(t), s.max(t)];
+                    crossings.push(Crossing { segments, near: near(a, b, c, d) });
                 }
-                let [c, d] = ends(other);
-                if cross(a, b, c, d) {
-                    for &s in &parents[piece as usize] {
-                        for &t in &parents[other as usize] {
-                            let segments = [s.min(t), s.max(t)];
-                            crossings.push(Crossing { segments, near: near(a, b, c, d) });
-                        }
-                    }
-                }
-            });
+            }
         }
         crossings.sort_unstable_by_key(|crossing| crossing.segments);
         crossings
+    }
+
+    fn ends(&self, piece: u32) -> [[f64; 2]; 2] {
+        self.subsegments[piece as usize].map(|site| self.sites.points()[site as usize])
+    }
+
+    /// Every pair of subsegments that cross, the smaller first.
+    pub(crate) fn crossing_pieces(&self) -> Vec<[u32; 2]> {
+        let pieces = (0u32..).take(self.subsegments.len());
+        let boxes: Vec<Box2> =
+            pieces.clone().map(|piece| self.ends(piece)).map(|[a, b]| Box2::of(a, b)).collect();
+        let tree = BoxTree::new(&boxes);
+        let mut pairs = Vec::new();
+        for piece in pieces {
+            let [a, b] = self.ends(piece);
+            tree.for_each_near(a, b, |other| {
+                let [c, d] = self.ends(other);
+                if piece < other && cross(a, b, c, d) {
+                    pairs.push([piece, other]);
+                }
+            });
+        }
+        pairs
     }
 }
 

@@ -51,8 +51,9 @@ fn strict_agrees_with_all_pairs() {
     let mut seen = [0; 6];
     for _ in 0..3000 {
         let side = 2 + next(4);
-        let grid: Vec<[i64; 2]> =
-            (0..2 + next(7)).map(|_| [(); 2].map(|()| i64::try_from(next(side)).unwrap())).collect();
+        let grid: Vec<[i64; 2]> = (0..2 + next(7))
+            .map(|_| [(); 2].map(|()| i64::try_from(next(side)).unwrap()))
+            .collect();
         let segments: Vec<[usize; 2]> =
             (0..next(6)).map(|_| [next(grid.len()), next(grid.len())]).collect();
         let points: Vec<[f64; 2]> = grid.iter().map(|p| p.map(|x| x as f64)).collect();

@@ -119,7 +119,7 @@ fn areas_fit_the_shoelace_formula() {
                 sum += &if number > 0 { area.clone() } else { area.negative() };
             }
         }
-        assert_eq!(sum, Area::new(twice.into(), -1), "{:?} {:?}", chain.points, chain.segments);
+        assert_eq!(sum, Area::dyadic(twice.into(), -1), "{:?} {:?}", chain.points, chain.segments);
         sum_of_sizes += twice.abs();
     }
     assert!(sum_of_sizes > 1000);
