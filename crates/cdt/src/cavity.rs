@@ -60,7 +60,7 @@ pub fn insert_segments(
 }
 
 /// The two ends of a subsegment.
-type Ends = [VertexId; 2];
+pub(crate) type Ends = [VertexId; 2];
 
 struct Work<'k, K> {
     mesh: Mesh<2>,
@@ -163,25 +163,9 @@ impl<'k, K: PlaneKernel> Work<'k, K> {
         probe.on(Event::Subsegment);
     }
 
-    /// The half-edge opposite `a` through which the segment to `b` leaves a's star.
-    fn way_out(&self, a: VertexId, b: VertexId, probe: &mut impl Probe) -> HalfEdge {
-        let mut ring = self.mesh.ring(a, self.cell_of[a.index()]);
-        let crossed = ring.find(|&h| {
-            let (r, l) = (self.mesh.destination(h), self.mesh.apex(h));
-            probe.on(Event::Orient);
-            !r.is_ghost()
-                && !l.is_ghost()
-                && self.kernel.orient(&[a, b, r]) == Sign::Negative
-                && self.kernel.orient(&[a, b, l]) == Sign::Positive
-        });
-        self.mesh.next(
-            crossed.expect("Inv 2: a segment that is no edge leaves its end through a triangle"),
-        )
-    }
-
     /// Digs all triangles that the segment crosses, and collects the two chains from `a` to `b`.
     fn dig_along(&mut self, a: VertexId, b: VertexId, probe: &mut impl Probe) {
-        let mut crossed = self.way_out(a, b, probe);
+        let mut crossed = way_out(&self.mesh, self.kernel, self.cell_of[a.index()], [a, b], probe);
         self.dug.clear();
         self.dug.push(crossed.cell());
         self.lower.clear();
@@ -269,4 +253,26 @@ impl<'k, K: PlaneKernel> Work<'k, K> {
             self.mesh.glue(new, self.mesh.twin(old));
         }
     }
+}
+
+/// The half-edge opposite `a`, which `cell` has, through which the segment to `b` leaves a's star.
+///
+/// # Panics
+/// If it does not leave through the inside of an edge.
+pub(crate) fn way_out(
+    mesh: &Mesh<2>,
+    kernel: &impl PlaneKernel,
+    cell: CellId,
+    [a, b]: Ends,
+    probe: &mut impl Probe,
+) -> HalfEdge {
+    let crossed = mesh.ring(a, cell).find(|&h| {
+        let (r, l) = (mesh.destination(h), mesh.apex(h));
+        probe.on(Event::Orient);
+        !r.is_ghost()
+            && !l.is_ghost()
+            && kernel.orient(&[a, b, r]) == Sign::Negative
+            && kernel.orient(&[a, b, l]) == Sign::Positive
+    });
+    mesh.next(crossed.expect("Inv 2: a segment that is no edge leaves its end through a triangle"))
 }

@@ -18,7 +18,14 @@
 //! |---|---|---|---|
 //! | [`chew()`] | \[Che89\] | O(n log n), whatever the segments | long segments that cross everything |
 //! | [`cavity()`] | \[SB15\] | Delaunay, then expected O(1) for each edge crossed | short segments, as on maps |
+//! | [`flips()`] | \[Slo93\], \[Law77\] | Delaunay, then O(m^2) flips for m edges crossed | to compare |
 //! | [`insert_segments`] | \[SB15\] | the second half of it | your own kernel or Delaunay mesh |
+//!
+//! | and then | what it is | time |
+//! |---|---|---|
+//! | [`Regions`] | what the segments cut the plane into | O(n) |
+//! | [`Domain`] | which regions are inside, by a [`Fill`] rule; exact areas, kinds of edges, points in holes | O(n) |
+//! | [`triangulate2d`] | `(V, EV)` to `(V, [EV, FV])`: the inside of a soup of edges | that of [`cavity()`] |
 //!
 //! # Contract
 //!
@@ -27,16 +34,26 @@
 //!
 //! **Not here.** Noding and refusal of crossings (`delone-sites`), judgement (`delone-check`).
 
+mod area;
 mod cavity;
 mod chain;
 mod chew;
+mod domain;
 mod fill;
+mod flips;
+mod naive;
+mod regions;
 mod registry;
 mod result;
+mod triangulate2d;
 
+pub use area::Area;
 pub use cavity::insert_segments;
-pub use registry::{Algorithm, algorithms, cavity, chew};
+pub use domain::{Domain, EdgeKind, Fill, FillError, OpenVertex, Role, SeedFault};
+pub use regions::{RegionId, Regions};
+pub use registry::{Algorithm, algorithms, cavity, cdt_of_arrangement, chew, flips};
 pub use result::Cdt;
+pub use triangulate2d::{Interior, InteriorError, triangulate2d};
 
 #[cfg(test)]
 #[expect(clippy::cast_possible_truncation, reason = "the numbers of the tests are small")]

@@ -2,7 +2,7 @@
 
 use delone_delaunay::Fingerprint;
 use delone_mesh::{CellId, HalfEdge, Mesh};
-use delone_sites::Pslg;
+use delone_sites::Noded;
 
 /// The constrained Delaunay triangulation of a noded PSLG, ties broken by the lexicographic order of its sites.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -62,10 +62,10 @@ impl Cdt {
 
     /// A hash of sites, cells and constrained edges that depends on positions only, not on the order of input.
     #[must_use]
-    pub fn fingerprint(&self, pslg: &Pslg) -> Fingerprint {
-        let ranks = pslg.sites().ranks();
+    pub fn fingerprint(&self, graph: &impl Noded) -> Fingerprint {
+        let ranks = graph.ranks();
         let mut hash = Fingerprint::new();
-        hash.sites(pslg.sites());
+        hash.sites(graph.sites());
         hash.ids(&self.mesh.canonical(|vertex| ranks[vertex.index()]));
         let ranked = |edge: [u32; 2]| {
             let [a, b] = edge.map(|site| ranks[site as usize]);

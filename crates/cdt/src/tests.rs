@@ -32,7 +32,8 @@ fn check(points: &[[f64; 2]], segments: &[[usize; 2]]) -> Cdt {
         [(KernelKind::Exact, Order::Lexicographic), (KernelKind::Adaptive, Order::AsGiven)]
     {
         let options = Options { kernel, order, seed: 5, ..Options::default() };
-        for other in algorithms().iter().map(|algorithm| (algorithm.run)(&pslg, &options)) {
+        let fitting = algorithms().into_iter().filter(|row| points.len() <= row.sites_max);
+        for other in fitting.map(|algorithm| (algorithm.run)(&pslg, &options)) {
             assert_eq!(
                 other.mesh().faults(Level::Sphere, pslg.sites().len()),
                 [],

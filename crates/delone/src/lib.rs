@@ -20,6 +20,8 @@
 //! | the predicates alone | [`predicates`] |
 //! | the Delaunay triangulation of points, any dimension | [`delaunay`] |
 //! | the constrained Delaunay triangulation of points and segments | [`cdt`] |
+//! | what is inside a soup of edges, with or without holes | [`cdt::triangulate2d`], [`cdt::Domain`] |
+//! | chains, boundary operators, Betti numbers | [`lar`] |
 //! | a proof that a triangulation is one | [`check`] |
 //! | input: files, generators | [`formats`], [`workloads`] |
 //! | pictures | [`draw`] |
@@ -32,6 +34,7 @@ pub use delone_check as check;
 pub use delone_delaunay as delaunay;
 pub use delone_draw as draw;
 pub use delone_formats as formats;
+pub use delone_lar as lar;
 pub use delone_mesh as mesh;
 pub use delone_predicates as predicates;
 pub use delone_probe as probe;

@@ -54,7 +54,11 @@ pub(crate) fn names(subject: &Subject) -> Vec<&'static str> {
     match &subject.body {
         Body::Plane(sites) => delaunay::<2>(sites.len()),
         Body::Space(sites) => delaunay::<3>(sites.len()),
-        Body::Graph(_) => delone_cdt::algorithms().iter().map(|a| a.name).collect(),
+        Body::Graph(pslg) => {
+            let rows = delone_cdt::algorithms();
+            let fits = |row: &&delone_cdt::Algorithm| pslg.sites().len() <= row.sites_max;
+            rows.iter().filter(fits).map(|row| row.name).collect()
+        }
     }
 }
 

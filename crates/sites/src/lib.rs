@@ -19,6 +19,7 @@
 //! | points | [`Sites`] | O(n log n) |
 //! | points with weights | [`WeightedSites`] | O(n log n) |
 //! | points and segments in the plane | [`Pslg`] | O(n log n), see its page |
+//! | segments that cross | [`Arrangement`] | the same, for n with the crossings |
 //! | sites to insert one by one | [`Sites::brio_order`] | O(n log n) |
 //!
 //! # Contract
@@ -28,15 +29,19 @@
 //!
 //! **Not here.** Reading files: `delone-formats`.
 
+mod arrangement;
 mod boxes;
+mod noded;
 mod order;
 mod pslg;
 mod sites;
 mod sweep;
 mod weighted;
 
+pub use arrangement::Arrangement;
+pub use noded::Noded;
 pub use order::{Curve, scatter, sortable};
-pub use pslg::{Crossing, Pslg, PslgError, PslgFault};
+pub use pslg::{Coverage, Crossing, Pslg, PslgError, PslgFault};
 pub use sites::{NotFinite, Sites, SitesError};
 pub use sweep::{Ends, below_and_above, compare_along};
 pub use weighted::{WeightedSites, WeightsError};

@@ -14,126 +14,74 @@
 //! | segments overlap | they share subsegments | `overlaps_share_subsegments` |
 //! | a segment of no length | dropped, and listed | `segments_of_no_length_are_dropped_and_listed` |
 //! | two segments cross at a site | cut there, not refused | `crossing_at_a_site_is_no_crossing` |
+//! | any of these, where the input must be noded already | refused, all of them listed | `strict_lists_everything_that_is_repaired` |
 
-use std::fmt;
+mod coverage;
+mod crossings;
+mod faults;
+mod survey;
 
-use delone_predicates::{Adaptive, Kernel, Sign, orient2d};
+use delone_predicates::{Sign, orient2d};
 
+use crate::Sites;
 use crate::boxes::{Box2, BoxTree};
-use crate::sweep::any_crossing;
-use crate::{NotFinite, Sites, SitesError};
+pub use coverage::Coverage;
+pub use faults::{Crossing, PslgError, PslgFault};
+use survey::Survey;
+
+#[cfg(test)]
+#[expect(clippy::cast_possible_truncation, reason = "the numbers of the tests are small")]
+mod tests;
 
 /// A noded planar straight-line graph.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pslg {
-    sites: Sites<2>,
-    segments: Vec<[u32; 2]>,
-    subsegments: Vec<[u32; 2]>,
-    chains: Vec<Vec<u32>>,
-    dropped: Vec<u32>,
-}
-
-/// Two input segments that cross in their interiors, away from any site.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Crossing {
-    /// The two segments, by input index.
-    pub segments: [u32; 2],
-    /// Where, in doubles, rounded.
-    pub near: [f64; 2],
-}
-
-/// One thing wrong with a planar straight-line graph.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum PslgFault {
-    /// A coordinate is NaN or infinite.
-    NotFinite(NotFinite),
-    /// A segment names a point that is not there.
-    NoSuchPoint {
-        /// The segment, by input index.
-        segment: usize,
-        /// What it names.
-        point: usize,
-        /// How many points there are.
-        count: usize,
-    },
-    /// Two segments cross.
-    Crossing(Crossing),
-    /// More points or segments than ids.
-    TooMany(usize),
-}
-
-/// Why a planar straight-line graph was refused: every fault.
-#[derive(Clone, Debug, PartialEq)]
-pub struct PslgError(pub Vec<PslgFault>);
-
-impl fmt::Display for PslgFault {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NotFinite(fault) => fault.fmt(f),
-            Self::NoSuchPoint { segment, point, count } => {
-                write!(
-                    f,
-                    "segment {segment} names point {point}, but there are {count} points: indices go from 0"
-                )
-            }
-            Self::Crossing(Crossing { segments: [a, b], near: [x, y] }) => write!(
-                f,
-                "segments {a} and {b} cross near ({x}, {y}): split them at a common vertex"
-            ),
-            Self::TooMany(count) => {
-                write!(f, "{count} points or segments are more than ids can name")
-            }
-        }
-    }
-}
-
-impl fmt::Display for PslgError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let lines: Vec<String> = self.0.iter().map(ToString::to_string).collect();
-        f.write_str(&lines.join("\n"))
-    }
-}
-
-impl std::error::Error for PslgError {}
-
-impl From<SitesError> for PslgError {
-    fn from(error: SitesError) -> Self {
-        match error {
-            SitesError::NotFinite(all) => Self(all.into_iter().map(PslgFault::NotFinite).collect()),
-            SitesError::TooMany(count) => Self(vec![PslgFault::TooMany(count)]),
-        }
-    }
+    pub(crate) sites: Sites<2>,
+    pub(crate) segments: Vec<[u32; 2]>,
+    pub(crate) subsegments: Vec<[u32; 2]>,
+    pub(crate) chains: Vec<Vec<u32>>,
+    pub(crate) dropped: Vec<u32>,
 }
 
 impl Pslg {
     /// Checks and nodes points and segments (pairs of point indices).
     ///
+    /// Equal points become one site, segments are cut at the points on them, pieces that are covered several times are
+    /// kept once (and [counted](crate::Noded::coverage)), segments of no length are dropped. [`Pslg::strict`] refuses all that.
+    ///
     /// # Errors
-    /// With every coordinate that is not finite and every segment that names no point; if there are none of these,
-    /// with every crossing.
+    /// With every coordinate that is not finite, every segment that names no point, and every crossing of the others.
     pub fn new(points: &[[f64; 2]], segments: &[[usize; 2]]) -> Result<Self, PslgError> {
-        let mut faults = no_such_points(points.len(), segments);
-        if u32::try_from(segments.len()).is_err() {
-            faults.push(PslgFault::TooMany(segments.len()));
-        }
-        let sites = match Sites::new(points) {
-            Ok(sites) if faults.is_empty() => sites,
-            Ok(_) => return Err(PslgError(faults)),
-            Err(error) => {
-                faults.splice(0..0, PslgError::from(error).0);
-                return Err(PslgError(faults));
-            }
-        };
-        let ends: Vec<[u32; 2]> =
-            segments.iter().map(|ends| ends.map(|point| sites.site_of()[point])).collect();
-        let noded = Self::noded(sites, ends);
-        let crossings = if noded.is_crossed() { noded.crossings() } else { Vec::new() };
-        if crossings.is_empty() {
-            Ok(noded)
-        } else {
-            Err(PslgError(crossings.into_iter().map(PslgFault::Crossing).collect()))
-        }
+        let Survey { pslg, mut faults, names } = Survey::of(points, segments);
+        faults.extend(names.crossings(&pslg));
+        if faults.is_empty() { Ok(pslg) } else { Err(PslgError(faults)) }
+    }
+
+    /// Nodes points and segments, which may cross; or says why it cannot.
+    pub(crate) fn crossed(points: &[[f64; 2]], segments: &[[usize; 2]]) -> Result<Self, PslgError> {
+        let Survey { pslg, faults, .. } = Survey::of(points, segments);
+        if faults.is_empty() { Ok(pslg) } else { Err(PslgError(faults)) }
+    }
+
+    /// [`Pslg::new`] for input that must be a planar straight-line graph as it stands.
+    ///
+    /// ```
+    /// use delone_sites::Pslg;
+    ///
+    /// let points = [[0.0, 0.0], [2.0, 0.0], [1.0, 0.0], [1.0, 1.0]];
+    /// let refused = Pslg::strict(&points, &[[0, 1], [2, 3]]).unwrap_err();
+    /// assert_eq!(refused.to_string(), "point 2 at (1, 0) lies inside segment 0: split the segment there");
+    /// assert!(Pslg::new(&points, &[[0, 1], [2, 3]]).is_ok());
+    /// ```
+    ///
+    /// # Errors
+    /// With everything that [`Pslg::new`] refuses or repairs: also equal points, segments of no length, points inside
+    /// segments, overlaps and repeated segments.
+    pub fn strict(points: &[[f64; 2]], segments: &[[usize; 2]]) -> Result<Self, PslgError> {
+        let Survey { pslg, mut faults, names } = Survey::of(points, segments);
+        faults.extend(names.repaired(&pslg));
+        faults.extend(names.crossings(&pslg));
+        if faults.is_empty() { Ok(pslg) } else { Err(PslgError(faults)) }
     }
 
     /// Cuts each segment at the sites inside it, and unites equal pieces.
@@ -169,51 +117,6 @@ impl Pslg {
         Self::noded(sites, ends)
     }
 
-    /// Whether any two subsegments cross.
-    fn is_crossed(&self) -> bool {
-        let (sorted, ranks) = (self.sites.sorted(), self.sites.ranks());
-        let ranked = |ends: &[u32; 2]| {
-            let [a, b] = ends.map(|site| ranks[site as usize]);
-            [a.min(b), a.max(b)]
-        };
-        let segments: Vec<[u32; 2]> = self.subsegments.iter().map(ranked).collect();
-        let kernel = Adaptive::new(self.sites.points()).reordered(sorted);
-        any_crossing(&kernel, sorted.len(), &segments)
-    }
-
-    /// Every pair of input segments that cross, by index. O(those near each other): for input that is refused.
-    fn crossings(&self) -> Vec<Crossing> {
-        let points = self.sites.points();
-        let ends = |piece: u32| self.subsegments[piece as usize].map(|site| points[site as usize]);
-        let boxes: Vec<Box2> =
-            (0u32..).take(self.subsegments.len()).map(&ends).map(|[a, b]| Box2::of(a, b)).collect();
-        let tree = BoxTree::new(&boxes);
-        let mut parents = vec![Vec::new(); self.subsegments.len()];
-        for (segment, chain) in (0u32..).zip(&self.chains) {
-            chain.iter().for_each(|&piece| parents[piece as usize].push(segment));
-        }
-        let mut crossings = Vec::new();
-        for piece in (0u32..).take(self.subsegments.len()) {
-            let [a, b] = ends(piece);
-            tree.for_each_near(a, b, |other| {
-                if other <= piece {
-                    return;
-                }
-                let [c, d] = ends(other);
-                if cross(a, b, c, d) {
-                    for &s in &parents[piece as usize] {
-                        for &t in &parents[other as usize] {
-                            let segments = [s.min(t), s.max(t)];
-                            crossings.push(Crossing { segments, near: near(a, b, c, d) });
-                        }
-                    }
-                }
-            });
-        }
-        crossings.sort_unstable_by_key(|crossing| crossing.segments);
-        crossings
-    }
-
     /// The sites.
     #[must_use]
     pub fn sites(&self) -> &Sites<2> {
@@ -243,15 +146,6 @@ impl Pslg {
     pub fn dropped(&self) -> &[u32] {
         &self.dropped
     }
-}
-
-fn no_such_points(count: usize, segments: &[[usize; 2]]) -> Vec<PslgFault> {
-    let bad = |(segment, ends): (usize, &[usize; 2])| {
-        ends.map(|point| PslgFault::NoSuchPoint { segment, point, count })
-    };
-    let bad = segments.iter().enumerate().flat_map(bad);
-    bad.filter(|fault| matches!(fault, PslgFault::NoSuchPoint { point, .. } if *point >= count))
-        .collect()
 }
 
 /// The sites on the closed segment from `a` to `b`, in no order.
@@ -286,19 +180,4 @@ fn united(
     let mut chains = vec![Vec::new(); segments];
     placed.into_iter().for_each(|(segment, _, piece)| chains[segment as usize].push(piece));
     (distinct, chains)
-}
-
-/// Whether the interiors of `ab` and `cd` meet in one point.
-fn cross(a: [f64; 2], b: [f64; 2], c: [f64; 2], d: [f64; 2]) -> bool {
-    orient2d(a, b, c) * orient2d(a, b, d) == Sign::Negative
-        && orient2d(c, d, a) * orient2d(c, d, b) == Sign::Negative
-}
-
-/// The crossing of the lines, rounded: for messages.
-fn near(a: [f64; 2], b: [f64; 2], c: [f64; 2], d: [f64; 2]) -> [f64; 2] {
-    let cross = |u: [f64; 2], v: [f64; 2]| u[0] * v[1] - u[1] * v[0];
-    let minus = |u: [f64; 2], v: [f64; 2]| [u[0] - v[0], u[1] - v[1]];
-    let t = cross(minus(c, a), minus(d, c)) / cross(minus(b, a), minus(d, c));
-    let t = if t.is_finite() { t.clamp(0.0, 1.0) } else { 0.5 };
-    [0, 1].map(|axis| a[axis] * (1.0 - t) + b[axis] * t)
 }

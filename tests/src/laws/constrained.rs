@@ -1,6 +1,7 @@
 //! The laws of constrained Delaunay triangulations.
 
-use delone::cdt::{Cdt, algorithms, cavity};
+use delone::Pslg;
+use delone::cdt::{Algorithm, Cdt, algorithms, cavity};
 use delone::check::naive;
 use delone::delaunay::{Options, delaunay};
 
@@ -30,10 +31,15 @@ fn run(case: &Case<2>) -> Cdt {
     cavity(&case.pslg(), &Options::default(), &mut ())
 }
 
+/// The algorithms that are meant for as many sites.
+fn fitting(pslg: &Pslg) -> Vec<Algorithm> {
+    algorithms().into_iter().filter(|algorithm| pslg.sites().len() <= algorithm.sites_max).collect()
+}
+
 fn valid(case: &Case<2>) -> usize {
     let pslg = case.pslg();
     let rigour = if case.points.len() <= THOROUGH_MAX { Rigour::EveryWay } else { Rigour::Once };
-    let algorithms = algorithms();
+    let algorithms = fitting(&pslg);
     for algorithm in &algorithms {
         let result = (algorithm.run)(&pslg, &Options::default());
         accept_constrained(case, &pslg, &result, rigour);
@@ -44,7 +50,7 @@ fn valid(case: &Case<2>) -> usize {
 fn agreement(case: &Case<2>) -> usize {
     let pslg = case.pslg();
     let first = run(case);
-    let (algorithms, options) = (algorithms(), all_options());
+    let (algorithms, options) = (fitting(&pslg), all_options());
     for algorithm in &algorithms {
         for options in &options {
             let other = (algorithm.run)(&pslg, options);

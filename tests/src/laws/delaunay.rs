@@ -1,7 +1,7 @@
 //! The laws of Delaunay triangulations.
 
-use delone::check::naive;
 use delone::Sites;
+use delone::check::naive;
 use delone::delaunay::{Algorithm, Delaunay, Options, algorithms, delaunay};
 
 use super::{Law, THOROUGH_MAX, all_options, scalings, symmetries, translations};

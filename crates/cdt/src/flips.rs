@@ -1,0 +1,216 @@
+//! Segment insertion by flips: Delaunay first, then the edges that a segment crosses are flipped away.
+//!
+//! ```text
+//!        .---u---.            .---u---.        The crossing edge uw is the diagonal of a quadrilateral x w y u. If that
+//!       / \  |  / \          /       / \       is strictly convex, it is flipped to xy, which crosses ab no more, or
+//!      a---x-|-y---b   ->   a---x---y---b      crosses it in place of uw. When none is left, ab is an edge, and the new
+//!       \   \|/   /          \   \ /   /       edges are flipped until the triangulation is Delaunay again, segments
+//!        '---w---'            '---w---'        apart.
+//! ```
+//!
+//! **Paper.** [Slo93]; the flips back are [Law77]. Where we differ: Sloan takes crossing edges from a queue, for which no bound
+//! is known. Here the upper end `u` farthest from the segment (leftmost on ties) is taken, and a flip among its edges that
+//! makes one less of them: as `u` is a peak of the upper chain, such a flip exists.
+//! **In, Out.** As of `cavity.rs`.
+//! **Invariants.** 1. After each segment the mesh is the CDT of the sites and the segments so far. 2. Some edge at the farthest
+//! upper end can be flipped, so at most (upper ends) x (lower ends) flips remove all. 3. A flip back lowers the lifted surface
+//! (perturbed), so no edge comes back.
+//! **Cost.** For m edges crossed O(m^2) flips at worst. Each looks about a vertex.
+//!
+//! **Degeneracies.**
+//! | case | answer | test |
+//! |---|---|---|
+//! | the segment is an edge already | marked | `an_edge_that_is_there_is_only_marked` |
+//! | a vertex comes several times among the upper ends (dangling edges) | each run of its edges is for itself | `a_dangling_edge_is_triangulated_on_both_sides` |
+//! | upper ends equally far | the first | `every_segment_of_a_grid_can_be_inserted` |
+//! | three ends in line | the quadrilateral is not strictly convex: not flipped | `every_segment_of_a_grid_can_be_inserted` |
+//! | cocircular sites | the perturbation decides | `chew_agrees_on_small_grids` |
+
+use delone_mesh::{CellId, HalfEdge, Mesh, VertexId};
+use delone_predicates::{PlaneKernel, Side, Sign};
+use delone_probe::{Event, Probe};
+
+use crate::cavity::{Ends, way_out};
+
+/// Inserts the subsegments of a noded PSLG into the Delaunay mesh of its sites, as [`crate::insert_segments`] does.
+pub(crate) fn insert_by_flips(
+    mesh: Mesh<2>,
+    kernel: &impl PlaneKernel,
+    sites: usize,
+    subsegments: &[[u32; 2]],
+    probe: &mut impl Probe,
+) -> (Mesh<2>, Vec<bool>) {
+    let cells = mesh.cells_by_vertex(sites).into_iter();
+    let cell_of = cells.map(|cell| cell.expect("each site is a vertex of the mesh")).collect();
+    let constrained = vec![false; 3 * mesh.cell_count()];
+    let mut work =
+        Flips { mesh, kernel, cell_of, constrained, crossing: Vec::new(), made: Vec::new() };
+    for ends in subsegments {
+        let [a, b] = ends.map(|site| VertexId::new(site as usize));
+        if work.edge([a, b]).is_none() {
+            work.find_crossing([a, b], probe);
+            work.remove_crossing([a, b], probe);
+        }
+        let h = work.edge([a, b]).expect("Inv 2: when nothing crosses it, the segment is an edge");
+        work.constrained[h.index()] = true;
+        let twin = work.mesh.twin(h);
+        work.constrained[twin.index()] = true;
+        probe.on(Event::Subsegment);
+        work.legalize(probe);
+    }
+    (work.mesh, work.constrained)
+}
+
+struct Flips<'k, K> {
+    mesh: Mesh<2>,
+    kernel: &'k K,
+    /// A cell of each vertex.
+    cell_of: Vec<CellId>,
+    /// By half-edge.
+    constrained: Vec<bool>,
+    /// The edges that cross the segment, in order along it: upper end, lower end.
+    crossing: Vec<Ends>,
+    /// The edges made for it.
+    made: Vec<Ends>,
+}
+
+impl<K: PlaneKernel> Flips<'_, K> {
+    fn edge(&self, [a, b]: Ends) -> Option<HalfEdge> {
+        self.mesh.half_edge(a, b, self.cell_of[a.index()])
+    }
+
+    fn find_crossing(&mut self, [a, b]: Ends, probe: &mut impl Probe) {
+        self.crossing.clear();
+        let mut crossed = way_out(&self.mesh, self.kernel, self.cell_of[a.index()], [a, b], probe);
+        for _ in 0..=self.mesh.cell_count() {
+            assert!(!self.constrained[crossed.index()], "segments of a noded PSLG do not cross");
+            probe.on(Event::EdgeCrossed);
+            // From the lower end to the upper one, as seen from a.
+            self.crossing.push([self.mesh.destination(crossed), self.mesh.origin(crossed)]);
+            let h = self.mesh.twin(crossed);
+            let x = self.mesh.apex(h);
+            if x == b {
+                return;
+            }
+            assert!(!x.is_ghost(), "a segment stays inside the hull");
+            probe.on(Event::Orient);
+            crossed = match self.kernel.orient(&[a, b, x]) {
+                Sign::Positive => self.mesh.next(h),
+                Sign::Negative => self.mesh.prev(h),
+                Sign::Zero => panic!("no site is inside a subsegment, but {x:?} is"),
+            };
+        }
+        panic!("a segment leaves each triangle once");
+    }
+
+    fn remove_crossing(&mut self, [a, b]: Ends, probe: &mut impl Probe) {
+        self.made.clear();
+        let bound = self.crossing.len() * self.crossing.len();
+        let mut flips = 0;
+        while !self.crossing.is_empty() {
+            let (first, end) = self.farthest_run([a, b]);
+            // What stands before and after the edges of the run, as upper ends.
+            let before = if first == 0 { a } else { self.crossing[first - 1][0] };
+            let after = self.crossing.get(end).map_or(b, |edge| edge[0]);
+            let (place, [x, y]) = self.flippable(first..end, before, after, probe);
+            let edge = self.crossing[place];
+            self.flip(edge, probe);
+            flips += 1;
+            assert!(flips <= bound, "Inv 2: each flip takes an edge from the farthest upper end");
+            // From an upper end to a lower one, the new edge crosses the segment too.
+            match (place == first, place + 1 == end) {
+                (true, false) if first > 0 => self.crossing[place] = [x, y],
+                (false, true) if end < self.crossing.len() => self.crossing[place] = [y, x],
+                _ => drop(self.crossing.remove(place)),
+            }
+            self.made.push([x, y]);
+        }
+    }
+
+    /// The first of the farthest runs of crossing edges with one upper end.
+    fn farthest_run(&self, [a, b]: Ends) -> (usize, usize) {
+        let mut first = 0;
+        for place in 1..self.crossing.len() {
+            let [far, here] = [first, place].map(|place| self.crossing[place][0]);
+            if far != here && self.kernel.cross([a, b, far, here]) == Sign::Positive {
+                first = place;
+            }
+        }
+        let upper = self.crossing[first][0];
+        let length = self.crossing[first..].iter().take_while(|edge| edge[0] == upper).count();
+        (first, first + length)
+    }
+
+    /// The first edge of the run whose quadrilateral is strictly convex, and the ends of its other diagonal.
+    fn flippable(
+        &self,
+        run: std::ops::Range<usize>,
+        before: VertexId,
+        after: VertexId,
+        probe: &mut impl Probe,
+    ) -> (usize, Ends) {
+        for place in run.clone() {
+            let [u, w] = self.crossing[place];
+            let x = if place == run.start { before } else { self.crossing[place - 1][1] };
+            let y = if place + 1 == run.end { after } else { self.crossing[place + 1][1] };
+            (0..2).for_each(|_| probe.on(Event::Orient));
+            if self.kernel.orient(&[x, w, y]) == Sign::Positive
+                && self.kernel.orient(&[y, u, x]) == Sign::Positive
+            {
+                return (place, [x, y]);
+            }
+        }
+        panic!("Inv 2: some edge at the farthest upper end can be flipped");
+    }
+
+    fn flip(&mut self, ends: Ends, probe: &mut impl Probe) {
+        let h = self.edge(ends).expect("a crossing edge is an edge");
+        self.flip_edge(h, probe);
+    }
+
+    /// Flips, and moves what is known of the four edges around with them.
+    fn flip_edge(&mut self, h: HalfEdge, probe: &mut impl Probe) {
+        let t = self.mesh.twin(h);
+        let (next_h, next_t) = (self.mesh.next(h), self.mesh.next(t));
+        self.constrained[h.index()] = self.constrained[next_t.index()];
+        self.constrained[t.index()] = self.constrained[next_h.index()];
+        self.constrained[next_h.index()] = false;
+        self.constrained[next_t.index()] = false;
+        self.mesh.flip(h);
+        for cell in [h.cell(), t.cell()] {
+            for v in self.mesh.corners(cell) {
+                self.cell_of[v.index()] = cell;
+            }
+        }
+        probe.on(Event::Flip);
+    }
+
+    /// Flips the edges made, and those around what is flipped, until all are locally Delaunay.
+    fn legalize(&mut self, probe: &mut impl Probe) {
+        let made = std::mem::take(&mut self.made);
+        let mut stack: Vec<HalfEdge> = made.iter().filter_map(|&ends| self.edge(ends)).collect();
+        self.made = made;
+        let mut flips = 0usize;
+        while let Some(h) = stack.pop() {
+            let t = self.mesh.twin(h);
+            if self.constrained[h.index()] || !self.is_illegal(h, probe) {
+                continue;
+            }
+            self.flip_edge(h, probe);
+            flips += 1;
+            let bound = self.mesh.cell_count().saturating_mul(self.mesh.cell_count());
+            assert!(flips <= bound, "Inv 3: an edge that was flipped away does not come back");
+            // Each handle around may now be another edge's.
+            stack.extend([h, t, self.mesh.prev(h), self.mesh.prev(t)]);
+        }
+    }
+
+    fn is_illegal(&self, h: HalfEdge, probe: &mut impl Probe) -> bool {
+        let t = self.mesh.twin(h);
+        if self.mesh.is_ghost(h.cell()) || self.mesh.is_ghost(t.cell()) {
+            return false;
+        }
+        probe.on(Event::InSphere);
+        self.kernel.in_sphere(self.mesh.corners(h.cell()), self.mesh.apex(t)) == Side::Positive
+    }
+}

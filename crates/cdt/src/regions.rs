@@ -1,0 +1,181 @@
+//! Regions: what the segments cut the plane into.
+//!
+//! ```text
+//!      +-----------+        Region 0 is the exterior: all that is reached from infinity without crossing a segment, here
+//!     /0\    1    / \       also the triangles 0 of the hull. The segments that have one region on both sides (the slit s)
+//!    /   \  ---  / 0 \      separate nothing.
+//!   +-----+--s--+-----+
+//! ```
+//!
+//! **Definition.** Two cells are in one region if a path leads from one to the other that crosses no constrained edge; all
+//! ghosts are in one. Regions are numbered by their leftmost triangle, so that neither order of input nor algorithm matters.
+//!
+//! **In.** A CDT and its noded graph. **Out.** The region of each cell, and for each subsegment the regions on its two sides.
+//! **Cost.** O(n).
+//!
+//! **Degeneracies.**
+//! | case | answer | test |
+//! |---|---|---|
+//! | all sites in line, or none | the exterior alone | `a_line_has_no_inside` |
+//! | regions that touch in a vertex | are two | `regions_that_touch_in_a_vertex_are_two` |
+//! | a segment with one region on both sides | separates nothing; a bridge if it joins two circuits, else a slit | `slits_and_bridges_are_told_apart` |
+
+use delone_mesh::{CellId, HalfEdge, Mesh};
+use delone_sites::Noded;
+
+use crate::Cdt;
+
+/// The number of a region; 0 is the exterior.
+pub type RegionId = u32;
+
+/// Where the exterior ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Shore {
+    /// At segments.
+    Segments,
+    /// At the convex hull too.
+    Hull,
+}
+
+/// The regions of a CDT. See the module's text.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Regions {
+    of_cell: Vec<RegionId>,
+    count: usize,
+    sides: Vec<[RegionId; 2]>,
+    /// Regions that meet the exterior at edges of the hull that are no segments.
+    shore: Vec<RegionId>,
+}
+
+impl Regions {
+    /// The regions of the CDT of this graph.
+    #[must_use]
+    pub fn new(cdt: &Cdt, graph: &impl Noded) -> Self {
+        Self::up_to(Shore::Segments, cdt, graph)
+    }
+
+    pub(crate) fn up_to(shore: Shore, cdt: &Cdt, graph: &impl Noded) -> Self {
+        let mesh = cdt.mesh();
+        let subsegments = graph.subsegments().len();
+        if mesh.dimension() != Some(2) {
+            let of_cell = vec![0; mesh.cell_count()];
+            return Self { of_cell, count: 1, sides: vec![[0; 2]; subsegments], shore: Vec::new() };
+        }
+        let is_cut = |h: HalfEdge| {
+            let is_hull = mesh.is_ghost(h.cell()) != mesh.is_ghost(mesh.twin(h).cell());
+            cdt.is_constrained(h) || (shore == Shore::Hull && is_hull)
+        };
+        let (of_cell, count) = flooded(mesh, &starts(mesh, &graph.ranks()), is_cut);
+        let shore = mesh.ghost_cells().flat_map(|cell| mesh.facets(cell));
+        let shore = shore.filter(|&h| is_cut(h) && !cdt.is_constrained(h));
+        let mut shore: Vec<RegionId> =
+            shore.map(|h| of_cell[mesh.twin(h).cell().index()]).collect();
+        shore.sort_unstable();
+        shore.dedup();
+        let mut regions = Self { of_cell, count, sides: vec![[0; 2]; subsegments], shore };
+        for h in mesh.cells().flat_map(|cell| mesh.facets(cell)).filter(|&h| cdt.is_constrained(h))
+        {
+            let [a, b] = [mesh.origin(h), mesh.destination(h)].map(|v| id(v.index()));
+            let place = graph.subsegments().binary_search(&[a.min(b), a.max(b)]);
+            let place = place.expect("a constrained edge is a subsegment of its graph");
+            regions.sides[place][usize::from(a > b)] = regions.of_cell[h.cell().index()];
+        }
+        regions
+    }
+
+    /// How many there are, the exterior included.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.count
+    }
+
+    /// The region of a cell, solid or ghost.
+    #[must_use]
+    pub fn of_cell(&self, cell: CellId) -> RegionId {
+        self.of_cell[cell.index()]
+    }
+
+    /// For each subsegment, directed from its smaller site to its larger, the regions on its left and on its right.
+    #[must_use]
+    pub fn sides(&self) -> &[[RegionId; 2]] {
+        &self.sides
+    }
+
+    /// Whether a subsegment has different regions on its sides.
+    #[must_use]
+    pub fn separates(&self, subsegment: usize) -> bool {
+        let [left, right] = self.sides[subsegment];
+        left != right
+    }
+
+    pub(crate) fn shore(&self) -> &[RegionId] {
+        &self.shore
+    }
+
+    /// For each region its neighbours: across which subsegment, and whether from its right to its left.
+    pub(crate) fn neighbours(&self) -> Vec<Vec<Step>> {
+        let mut neighbours = vec![Vec::new(); self.count];
+        for (subsegment, &[left, right]) in self.sides.iter().enumerate() {
+            if left != right {
+                neighbours[right as usize].push(Step { to: left, subsegment, leftwards: true });
+                neighbours[left as usize].push(Step { to: right, subsegment, leftwards: false });
+            }
+        }
+        neighbours
+    }
+}
+
+/// A step from one region into the next.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Step {
+    pub(crate) to: RegionId,
+    pub(crate) subsegment: usize,
+    /// From the right of the subsegment to its left.
+    pub(crate) leftwards: bool,
+}
+
+/// A ghost, then the solid cells by their corners' ranks, leftmost first.
+fn starts(mesh: &Mesh<2>, ranks: &[u32]) -> Vec<CellId> {
+    let key = |cell: &CellId| {
+        let mut corners = [0, 1, 2].map(|corner| ranks[mesh.vertex(*cell, corner).index()]);
+        corners.sort_unstable();
+        corners
+    };
+    let mut solid: Vec<CellId> = mesh.solid_cells().collect();
+    solid.sort_by_cached_key(key);
+    mesh.ghost_cells().take(1).chain(solid).collect()
+}
+
+/// Numbers the connected sets of cells in the order of `starts`.
+fn flooded(
+    mesh: &Mesh<2>,
+    starts: &[CellId],
+    is_cut: impl Fn(HalfEdge) -> bool,
+) -> (Vec<RegionId>, usize) {
+    const NONE: RegionId = RegionId::MAX;
+    let mut of_cell = vec![NONE; mesh.cell_count()];
+    let mut count = 0;
+    let mut stack = Vec::new();
+    for &start in starts {
+        if of_cell[start.index()] != NONE {
+            continue;
+        }
+        of_cell[start.index()] = count;
+        stack.push(start);
+        while let Some(cell) = stack.pop() {
+            for h in mesh.facets(cell).filter(|&h| !is_cut(h)) {
+                let beyond = mesh.twin(h).cell();
+                if of_cell[beyond.index()] == NONE {
+                    of_cell[beyond.index()] = count;
+                    stack.push(beyond);
+                }
+            }
+        }
+        count += 1;
+    }
+    (of_cell, count as usize)
+}
+
+pub(crate) fn id(index: usize) -> u32 {
+    u32::try_from(index).expect("a handle fits 32 bits")
+}
