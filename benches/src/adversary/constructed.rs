@@ -82,7 +82,8 @@ fn construction<const D: usize>(random: &mut Random, plain: &[Vector]) -> (Const
             let digits = t.mantissa().iter().rev();
             let digits = digits.fold(Integer::new(), |sum, &limb| (sum << 64) + limb) << shift;
             let times = if (t.sign() as i8) < 0 { -digits } else { digits };
-            let rest = Integer::from(&whole - &times);
+            let mut rest = whole.clone();
+            rest -= &times;
             let mix =
                 |(a, b): (&Integer, &Integer)| Integer::from(a * &rest) + Integer::from(b * &times);
             (Construction::SegmentPoint { a, b, t }, at(a).iter().zip(at(b)).map(mix).collect())

@@ -1,0 +1,50 @@
+//! Times the reading of a PSLG and the algorithms on it: nanoseconds a site, the median of several runs and the best one.
+//!
+//! ```sh
+//! cargo run --release -p delone-cdt --example time_cdt -- [WORKLOAD] [SITES] [RUNS] [PART OF AN ALGORITHM'S NAME]
+//! ```
+#![expect(clippy::print_stdout, clippy::disallowed_methods, reason = "it prints times")]
+
+use std::time::Instant;
+
+use delone_cdt::algorithms;
+use delone_delaunay::Options;
+use delone_sites::{Pslg, Sites};
+use delone_workloads::{Points, generate};
+
+fn main() {
+    let words: Vec<String> = std::env::args().skip(1).collect();
+    let word = |i: usize, default: &str| words.get(i).map_or(default, |w| w).to_owned();
+    let (workload, n) = (word(0, "random-segments"), word(1, "100000"));
+    let (runs, part) = (word(2, "3").parse().expect("a number"), word(3, ""));
+    let input = generate(&workload, n.parse().expect("a number"), 1).expect("a workload");
+    let Points::Plane(points) = input.points else { panic!("{workload} is not planar") };
+    let segments: Vec<[usize; 2]> =
+        input.segments.iter().map(|ends| ends.map(|id| id as usize)).collect();
+    println!("{workload}: {} points, {} segments", points.len(), segments.len());
+    time("Sites::new", runs, points.len(), || Sites::new(&points).expect("finite points"));
+    let pslg = time("Pslg::new", runs, points.len(), || {
+        Pslg::new(&points, &segments).expect("no crossings")
+    });
+    for algorithm in algorithms().iter().filter(|a| a.name.contains(&part) && a.name != "naive") {
+        time(algorithm.name, runs, points.len(), || {
+            (algorithm.run)(&pslg, &Options::default())
+        });
+    }
+}
+
+fn time<T>(name: &str, runs: usize, count: usize, mut run: impl FnMut() -> T) -> T {
+    #[expect(clippy::cast_precision_loss, reason = "a small number")]
+    let count = count as f64;
+    let mut times = Vec::new();
+    loop {
+        let start = Instant::now();
+        let result = run();
+        times.push(start.elapsed().as_secs_f64() * 1e9 / count);
+        if times.len() >= runs {
+            times.sort_by(f64::total_cmp);
+            println!("{name:16} {:6.0} ns (best {:6.0})", times[times.len() / 2], times[0]);
+            return result;
+        }
+    }
+}
