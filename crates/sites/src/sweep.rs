@@ -3,7 +3,9 @@
 //! **Paper.** [SH76]. The segments that the sweep line meets are kept in their order along it. Two segments that cross are
 //! neighbours in that order just before the first crossing, so it suffices to look at those that become neighbours.
 //! **In.** Vertices numbered in lexicographic order, the order of the sweep; segments over them, smaller end first, that are
-//! noded but for crossings: no vertex lies inside a segment, no two are equal. **Cost.** O((n + m) log m) orientations.
+//! noded but for crossings: no vertex lies inside a segment, no two are equal. **Cost.** O((n + m) log m) orientations: one search
+//! for each vertex finds the segments that end there side by side, what is next below and above them, and where those that
+//! begin there go.
 //! **Invariant.** 1. Until the first crossing the segments alive are totally ordered along the line.
 //!
 //! **Degeneracies.**
@@ -12,11 +14,12 @@
 //! | equal abscissae, vertical segments | the order is lexicographic: as if sheared by an infinitesimal | `the_sweep_agrees_with_all_pairs` |
 //! | segments with a common end | are ordered by their other ends, and do not cross | `spokes_with_a_common_end_do_not_cross` |
 
+mod line;
+
 use std::cmp::Ordering;
-use std::collections::BTreeSet;
-use std::ops::Bound;
 
 use delone_predicates::{Kernel, Sign};
+use line::{Line, Place};
 
 /// A segment by its ends, the smaller vertex first.
 pub type Ends = [u32; 2];
@@ -59,143 +62,87 @@ pub fn below_and_above(
     let mut neighbours = Vec::with_capacity(count);
     let mut sweep = Sweep::new(kernel, segments);
     for vertex in (0u32..).take(count) {
-        sweep.end_at(vertex, |_, _| false);
-        neighbours.push(sweep.around(At::Vertex(vertex)));
-        sweep.begin_at(vertex, |_, _| false);
+        let place = sweep.end_at(vertex);
+        neighbours.push(sweep.alive.around(place));
+        sweep.begin_at(vertex, place);
     }
     neighbours
 }
 
 /// Whether the interiors of any two segments meet.
 pub(crate) fn any_crossing(kernel: &impl Kernel<2>, count: usize, segments: &[Ends]) -> bool {
-    let crosses = |e: u32, f: u32| {
+    let cross = |e: Option<u32>, f: Option<u32>| {
+        let (Some(e), Some(f)) = (e, f) else { return false };
         let ([a, b], [c, d]) = (segments[e as usize], segments[f as usize]);
         orient(kernel, a, b, c) * orient(kernel, a, b, d) == Sign::Negative
             && orient(kernel, c, d, a) * orient(kernel, c, d, b) == Sign::Negative
     };
+    let mut has_segment = vec![false; count];
+    segments.iter().flatten().for_each(|&vertex| has_segment[vertex as usize] = true);
     let mut sweep = Sweep::new(kernel, segments);
-    (0u32..)
-        .take(count)
-        .any(|vertex| sweep.end_at(vertex, crosses) || sweep.begin_at(vertex, crosses))
+    (0u32..).zip(has_segment).filter(|&(_, has)| has).any(|(vertex, _)| {
+        let place = sweep.end_at(vertex);
+        let [below, above] = sweep.alive.around(place);
+        match sweep.begin_at(vertex, place) {
+            None => cross(below, above),
+            Some([lowest, highest]) => cross(below, Some(lowest)) || cross(Some(highest), above),
+        }
+    })
 }
 
 fn orient(kernel: &impl Kernel<2>, a: u32, b: u32, v: u32) -> Sign {
     kernel.orient(&[a as usize, b as usize, v as usize])
 }
 
-/// A place along the sweep line.
-#[derive(Clone, Copy)]
-enum At {
-    Segment(u32),
-    /// A vertex on no segment that is alive.
-    Vertex(u32),
-}
-
-/// A place with what it takes to compare it.
-struct Place<'k, K> {
-    kernel: &'k K,
-    segments: &'k [Ends],
-    at: At,
-}
-
-impl<K: Kernel<2>> Place<'_, K> {
-    fn against(&self, vertex: u32, segment: u32) -> Ordering {
-        let [a, b] = self.segments[segment as usize];
-        match orient(self.kernel, a, b, vertex) {
-            Sign::Positive => Ordering::Greater,
-            Sign::Negative => Ordering::Less,
-            Sign::Zero => panic!("segment {segment} is not noded: vertex {vertex} lies inside it"),
-        }
-    }
-}
-
-impl<K: Kernel<2>> Ord for Place<'_, K> {
-    fn cmp(&self, other: &Self) -> Ordering {
-        match (self.at, other.at) {
-            (At::Segment(e), At::Segment(f)) => compare_along(self.kernel, self.segments, e, f),
-            (At::Vertex(v), At::Segment(e)) => self.against(v, e),
-            (At::Segment(e), At::Vertex(v)) => self.against(v, e).reverse(),
-            (At::Vertex(u), At::Vertex(v)) => u.cmp(&v),
-        }
-    }
-}
-
-impl<K: Kernel<2>> PartialOrd for Place<'_, K> {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl<K: Kernel<2>> PartialEq for Place<'_, K> {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == Ordering::Equal
-    }
-}
-
-impl<K: Kernel<2>> Eq for Place<'_, K> {}
-
 /// The segments that the line meets, and those to come.
 struct Sweep<'k, K> {
     kernel: &'k K,
     segments: &'k [Ends],
-    alive: BTreeSet<Place<'k, K>>,
+    alive: Line,
     /// Segments by first end.
     begins: Vec<(u32, u32)>,
-    /// Segments by second end.
-    ends: Vec<(u32, u32)>,
     begun: usize,
-    ended: usize,
 }
 
 impl<'k, K: Kernel<2>> Sweep<'k, K> {
     fn new(kernel: &'k K, segments: &'k [Ends]) -> Self {
-        let by_end = |end: usize| {
-            let mut list: Vec<(u32, u32)> =
-                segments.iter().map(|ends| ends[end]).zip(0u32..).collect();
-            list.sort_unstable();
-            list
-        };
-        let (begins, ends) = (by_end(0), by_end(1));
-        Self { kernel, segments, alive: BTreeSet::new(), begins, ends, begun: 0, ended: 0 }
+        let mut begins: Vec<(u32, u32)> = segments.iter().map(|ends| ends[0]).zip(0u32..).collect();
+        begins.sort_unstable();
+        Self { kernel, segments, alive: Line::default(), begins, begun: 0 }
     }
 
-    fn place(&self, at: At) -> Place<'k, K> {
-        Place { kernel: self.kernel, segments: self.segments, at }
-    }
-
-    /// The segments next below and above a place.
-    fn around(&self, at: At) -> [Option<u32>; 2] {
-        let here = self.place(at);
-        let below = self.alive.range((Bound::Unbounded, Bound::Excluded(&here))).next_back();
-        let above = self.alive.range((Bound::Excluded(&here), Bound::Unbounded)).next();
-        [below, above].map(|found| match found?.at {
-            At::Segment(segment) => Some(segment),
-            At::Vertex(_) => None,
-        })
-    }
-
-    /// Takes out the segments that end at `vertex`; whether two that become neighbours `meet`.
-    fn end_at(&mut self, vertex: u32, meet: impl Fn(u32, u32) -> bool) -> bool {
-        while let Some(&(_, segment)) = self.ends.get(self.ended).filter(|(v, _)| *v == vertex) {
-            self.ended += 1;
-            self.alive.remove(&self.place(At::Segment(segment)));
-        }
-        match self.around(At::Vertex(vertex)) {
-            [Some(below), Some(above)] => meet(below, above),
-            _ => false,
-        }
-    }
-
-    /// Puts in the segments that begin at `vertex`; whether one and a neighbour `meet`.
-    fn begin_at(&mut self, vertex: u32, meet: impl Fn(u32, u32) -> bool) -> bool {
-        while let Some(&(_, segment)) = self.begins.get(self.begun).filter(|(v, _)| *v == vertex) {
-            self.begun += 1;
-            let near = self.around(At::Segment(segment));
-            if near.into_iter().flatten().any(|neighbour| meet(neighbour, segment)) {
-                return true;
+    /// Takes out the segments that end at `vertex`; the place where they were, which is the vertex's.
+    fn end_at(&mut self, vertex: u32) -> Place {
+        let mut place = self.alive.search(|segment| {
+            let [a, b] = self.segments[segment as usize];
+            match orient(self.kernel, a, b, vertex) {
+                Sign::Positive => true,
+                Sign::Zero if b != vertex => {
+                    panic!("segment {segment} is not noded: vertex {vertex} lies inside it")
+                }
+                Sign::Zero | Sign::Negative => false,
             }
-            self.alive.insert(self.place(At::Segment(segment)));
+        });
+        // Those that end here lie side by side: the order is total. (Inv 1)
+        while self.alive.at(place).is_some_and(|e| self.segments[e as usize][1] == vertex) {
+            place = self.alive.remove(place);
         }
-        false
+        place
+    }
+
+    /// Puts in the segments that begin at `vertex`, whose place is given; the lowest and the highest of them.
+    fn begin_at(&mut self, vertex: u32, mut place: Place) -> Option<[u32; 2]> {
+        let from = self.begun;
+        while self.begins.get(self.begun).is_some_and(|&(v, _)| v == vertex) {
+            self.begun += 1;
+        }
+        let new = &mut self.begins[from..self.begun];
+        let (kernel, segments) = (self.kernel, self.segments);
+        new.sort_unstable_by(|&(_, e), &(_, f)| compare_along(kernel, segments, e, f));
+        let ends = [new.first()?.1, new.last()?.1];
+        for &(_, segment) in new.iter().rev() {
+            place = self.alive.insert(place, segment);
+        }
+        Some(ends)
     }
 }
