@@ -27,9 +27,7 @@ fn main() {
         Pslg::new(&points, &segments).expect("no crossings")
     });
     for algorithm in algorithms().iter().filter(|a| a.name.contains(&part) && a.name != "naive") {
-        time(algorithm.name, runs, points.len(), || {
-            (algorithm.run)(&pslg, &Options::default())
-        });
+        time(algorithm.name, runs, points.len(), || (algorithm.run)(&pslg, &Options::default()));
     }
 }
 

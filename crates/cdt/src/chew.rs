@@ -33,6 +33,7 @@
 
 mod hand_over;
 mod merge;
+mod region;
 mod rings;
 mod zip;
 
@@ -41,24 +42,8 @@ use delone_probe::Probe;
 use delone_sites::{Ends, below_and_above};
 
 pub(crate) use hand_over::hand_over;
+use region::{List, Lists, Region, Wall};
 use rings::Rings;
-
-/// A region of a slab.
-#[derive(Clone, Debug, Default)]
-struct Region {
-    /// The spanning segment next below.
-    low: Option<u32>,
-    /// The spanning segment next above.
-    high: Option<u32>,
-    /// Segments that leave the region through the slab's left wall, from bottom to top.
-    left: Vec<u32>,
-    /// And through the right wall.
-    right: Vec<u32>,
-    /// The region's first site.
-    first: u32,
-    /// The region's last site.
-    last: u32,
-}
 
 /// The triangulation in the making.
 struct Chew<'k, 'p, K, P> {
@@ -68,6 +53,12 @@ struct Chew<'k, 'p, K, P> {
     rings: Rings,
     /// For each site the segments next below and above it.
     bounds: Vec<[Option<u32>; 2]>,
+    lists: Lists,
+    /// The regions of the slabs that are solved and wait for their merge, slab by slab, from bottom to top.
+    regions: Vec<Region>,
+    /// Of one merge: the regions it makes, and the segments that cross the wall.
+    merged: Vec<Region>,
+    wall: Vec<u32>,
 }
 
 /// The edges of the CDT of `count` sites, ranked lexicographically, and `segments` over ranks, smaller rank first.
@@ -79,7 +70,9 @@ pub(crate) fn chew<K: PlaneKernel, P: Probe>(
 ) -> Rings {
     let rings = Rings::new(kernel, count, segments);
     let bounds = below_and_above(kernel, count, segments);
-    let mut work = Chew { kernel, probe, segments, rings, bounds };
+    let lists = Lists::new(segments.len());
+    let (regions, merged, wall) = (Vec::new(), Vec::new(), Vec::new());
+    let mut work = Chew { kernel, probe, segments, rings, bounds, lists, regions, merged, wall };
     let count = u32::try_from(count).expect("sites have 32-bit ids");
     if count > 0 {
         work.solve(0, count);
@@ -88,25 +81,34 @@ pub(crate) fn chew<K: PlaneKernel, P: Probe>(
 }
 
 impl<K: PlaneKernel, P: Probe> Chew<'_, '_, K, P> {
-    /// Triangulates the slab of sites `i` to `j - 1`; its regions from bottom to top.
-    fn solve(&mut self, i: u32, j: u32) -> Vec<Region> {
+    /// Triangulates the slab of sites `i` to `j - 1`, and puts its regions on top of the others.
+    fn solve(&mut self, i: u32, j: u32) {
         if j - i == 1 {
-            return vec![self.single(i)];
+            let region = self.single(i);
+            return self.regions.push(region);
         }
         let m = i + (j - i) / 2;
-        let (left, right) = (self.solve(i, m), self.solve(m, j));
-        self.merge([i, m, j], left, right)
+        let left = self.regions.len();
+        self.solve(i, m);
+        let right = self.regions.len();
+        self.solve(m, j);
+        self.merge([i, m, j], left, right);
     }
 
     /// The slab of one site: one region, with the halves of the segments at the site.
-    fn single(&self, v: u32) -> Region {
+    fn single(&mut self, v: u32) -> Region {
         let [low, high] = self.bounds[v as usize];
-        let halves = self.rings.halves(v);
-        let right =
-            halves.clone().filter(|&h| self.rings.destination(h) > v).map(|h| h / 2).collect();
-        let mut left: Vec<u32> =
-            halves.filter(|&h| self.rings.destination(h) < v).map(|h| h / 2).collect();
-        left.reverse(); // counter-clockwise is from top to bottom on this side
+        let (mut left, mut right) = (List::EMPTY, List::EMPTY);
+        for h in self.rings.halves(v) {
+            if self.rings.destination(h) > v {
+                self.lists.push(&mut right, Wall::Right, h / 2);
+            } else {
+                // Counter-clockwise is from top to bottom on this side.
+                let above = std::mem::replace(&mut left, List::EMPTY);
+                self.lists.push(&mut left, Wall::Left, h / 2);
+                self.lists.append(&mut left, Wall::Left, above);
+            }
+        }
         Region { low, high, left, right, first: v, last: v }
     }
 }

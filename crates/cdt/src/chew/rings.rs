@@ -13,12 +13,20 @@ pub(super) type Half = u32;
 
 const NONE: u32 = u32::MAX;
 
+/// A half-edge.
+#[derive(Clone, Copy, Debug)]
+struct Record {
+    origin: u32,
+    next: Half,
+    previous: Half,
+}
+
+const EMPTY: Record = Record { origin: NONE, next: NONE, previous: NONE };
+
 /// The rings of all sites. The sector of half-edge `h` is the angle from it counter-clockwise to the next in its ring.
 #[derive(Debug)]
 pub(crate) struct Rings {
-    origin: Vec<u32>,
-    next: Vec<Half>,
-    previous: Vec<Half>,
+    halves: Vec<Record>,
     /// Some half-edge of each site's ring.
     start: Vec<Half>,
     /// First halves of removed edges, to be used again.
@@ -29,27 +37,22 @@ pub(crate) struct Rings {
 impl Rings {
     /// The rings that hold both halves of each segment.
     pub(super) fn new(kernel: &impl PlaneKernel, sites: usize, segments: &[Ends]) -> Self {
-        let origin: Vec<u32> = segments.as_flattened().to_vec();
-        let halves = origin.len();
         let count = u32::try_from(segments.len()).expect("a planar graph's edges have 32-bit ids");
-        let mut rings = Self {
-            origin,
-            next: vec![NONE; halves],
-            previous: vec![NONE; halves],
-            start: vec![NONE; sites],
-            free: Vec::new(),
-            segments: count,
-        };
+        // A triangulation has fewer than three edges for each site.
+        let mut halves = Vec::with_capacity(6 * sites);
+        halves.extend(segments.as_flattened().iter().map(|&origin| Record { origin, ..EMPTY }));
+        let mut rings =
+            Self { halves, start: vec![NONE; sites], free: Vec::new(), segments: count };
         let mut sorted: Vec<Half> = (0..2 * count).collect();
         sorted.sort_unstable_by(|&g, &h| {
             let (u, v) = (rings.origin(g), rings.origin(h));
             u.cmp(&v).then_with(|| rings.by_angle(kernel, g, h))
         });
-        for ring in sorted.chunk_by(|&g, &h| rings.origin[g as usize] == rings.origin[h as usize]) {
-            rings.start[rings.origin[ring[0] as usize] as usize] = ring[0];
+        let site = |h: Half| segments[h as usize / 2][h as usize % 2];
+        for ring in sorted.chunk_by(|&g, &h| site(g) == site(h)) {
+            rings.start[site(ring[0]) as usize] = ring[0];
             for (&h, &g) in ring.iter().zip(ring.iter().cycle().skip(1)) {
-                rings.next[h as usize] = g;
-                rings.previous[g as usize] = h;
+                rings.link(h, g);
             }
         }
         rings
@@ -70,22 +73,22 @@ impl Rings {
 
     #[inline]
     pub(super) fn origin(&self, h: Half) -> u32 {
-        self.origin[h as usize]
+        self.halves[h as usize].origin
     }
 
     #[inline]
     pub(super) fn destination(&self, h: Half) -> u32 {
-        self.origin[(h ^ 1) as usize]
+        self.halves[(h ^ 1) as usize].origin
     }
 
     #[inline]
     pub(super) fn next(&self, h: Half) -> Half {
-        self.next[h as usize]
+        self.halves[h as usize].next
     }
 
     #[inline]
     pub(super) fn previous(&self, h: Half) -> Half {
-        self.previous[h as usize]
+        self.halves[h as usize].previous
     }
 
     /// The half-edge after `h` around the face on its left.
@@ -117,7 +120,7 @@ impl Rings {
 
     /// Half-edges there are or were; a removed one has no ring.
     pub(super) fn len(&self) -> u32 {
-        u32::try_from(self.origin.len()).expect("half-edges have 32-bit ids")
+        u32::try_from(self.halves.len()).expect("half-edges have 32-bit ids")
     }
 
     pub(super) fn is_removed(&self, h: Half) -> bool {
@@ -128,13 +131,11 @@ impl Rings {
     pub(super) fn join(&mut self, l: u32, r: u32, at_l: Option<Half>, at_r: Option<Half>) -> Half {
         let h = self.free.pop().unwrap_or_else(|| {
             let h = self.len();
-            self.origin.extend([NONE; 2]);
-            self.next.extend([NONE; 2]);
-            self.previous.extend([NONE; 2]);
+            self.halves.extend([EMPTY; 2]);
             h
         });
-        self.origin[h as usize] = l;
-        self.origin[(h ^ 1) as usize] = r;
+        self.halves[h as usize].origin = l;
+        self.halves[(h ^ 1) as usize].origin = r;
         self.insert(h, at_l);
         self.insert(h ^ 1, at_r);
         h
@@ -149,23 +150,31 @@ impl Rings {
                 (h, h)
             }
         };
-        self.next[before as usize] = h;
-        self.previous[h as usize] = before;
-        self.next[h as usize] = after;
-        self.previous[after as usize] = h;
+        if before == h {
+            return self.link(h, h);
+        }
+        self.link(before, h);
+        self.link(h, after);
+    }
+
+    /// Makes `after` come after `before` in the ring of both.
+    #[inline]
+    fn link(&mut self, before: Half, after: Half) {
+        self.halves[before as usize].next = after;
+        self.halves[after as usize].previous = before;
     }
 
     /// Removes an edge that is no segment.
     pub(super) fn remove(&mut self, h: Half) {
         for h in [h, h ^ 1] {
             let (before, after) = (self.previous(h), self.next(h));
-            self.next[before as usize] = after;
-            self.previous[after as usize] = before;
-            let start = &mut self.start[self.origin[h as usize] as usize];
+            self.link(before, after);
+            let site = self.origin(h);
+            let start = &mut self.start[site as usize];
             if *start == h {
                 *start = if after == h { NONE } else { after };
             }
-            self.next[h as usize] = NONE;
+            self.halves[h as usize].next = NONE;
         }
         self.free.push(h & !1);
     }

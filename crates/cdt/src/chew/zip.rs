@@ -14,8 +14,9 @@
 use delone_predicates::{PlaneKernel, Side, Sign};
 use delone_probe::{Event, Probe};
 
+use super::Chew;
+use super::region::Region;
 use super::rings::Half;
-use super::{Chew, Region};
 
 /// One window: the slabs `[i, m)` and `[m, j)`, and the segments below and above.
 #[derive(Clone, Copy)]
