@@ -35,6 +35,7 @@ mod noded;
 mod order;
 mod pslg;
 mod sites;
+mod strips;
 mod sweep;
 mod weighted;
 

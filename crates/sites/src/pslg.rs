@@ -4,7 +4,7 @@
 //! and over one another; here they are cut there, which moves nothing. They may not cross elsewhere: that would need a
 //! new vertex, and is refused with every crossing listed.
 //!
-//! **Cost.** Sites on segments: by segment, the boxes that it meets (`boxes.rs`). Crossings: a sweep tells whether there are
+//! **Cost.** Sites on segments: by segment, those near it in the strips that it passes (`strips.rs`). Crossings: a sweep tells whether there are
 //! any in O((n + m) log n) (`sweep.rs`); only then are all pairs near each other looked at.
 //!
 //! **Degeneracies.**
@@ -21,10 +21,8 @@ mod crossings;
 mod faults;
 mod survey;
 
-use delone_predicates::{Sign, orient2d};
-
 use crate::Sites;
-use crate::boxes::{Box2, BoxTree};
+use crate::strips::Strips;
 pub use coverage::Coverage;
 pub use faults::{Crossing, PslgError, PslgFault};
 use survey::Survey;
@@ -86,24 +84,26 @@ impl Pslg {
 
     /// Cuts each segment at the sites inside it, and unites equal pieces.
     fn noded(sites: Sites<2>, segments: Vec<[u32; 2]>) -> Self {
-        let points = sites.points();
         let ranks = sites.ranks();
-        let boxes: Vec<Box2> = points.iter().map(|&p| Box2::of(p, p)).collect();
-        let tree = BoxTree::new(&boxes);
-        let mut pieces: Vec<([u32; 2], u32, u32)> = Vec::new(); // ends, segment, place in it
+        let strips = Strips::new(sites.points(), sites.sorted());
+        let mut pieces: Vec<([u32; 2], u32, u32)> = Vec::with_capacity(segments.len()); // ends, segment, place in it
         let mut dropped = Vec::new();
         for (segment, &[a, b]) in (0u32..).zip(&segments) {
             if a == b {
                 dropped.push(segment);
                 continue;
             }
-            let mut stops = sites_on(points, &tree, a, b);
-            stops.sort_unstable_by_key(|&site| ranks[site as usize]);
-            if ranks[a as usize] > ranks[b as usize] {
+            let [from, to] = [a, b].map(|site| ranks[site as usize]);
+            let inside = strips.inside(from.min(to), from.max(to));
+            let mut stops: Vec<u32> =
+                inside.into_iter().map(|rank| sites.sorted()[rank as usize]).collect();
+            if from > to {
                 stops.reverse();
             }
-            for (place, ends) in (0u32..).zip(stops.windows(2)) {
-                pieces.push(([ends[0].min(ends[1]), ends[0].max(ends[1])], segment, place));
+            let mut before = a;
+            for (place, stop) in (0u32..).zip(stops.into_iter().chain([b])) {
+                pieces.push(([before.min(stop), before.max(stop)], segment, place));
+                before = stop;
             }
         }
         let (subsegments, chains) = united(pieces, segments.len());
@@ -146,19 +146,6 @@ impl Pslg {
     pub fn dropped(&self) -> &[u32] {
         &self.dropped
     }
-}
-
-/// The sites on the closed segment from `a` to `b`, in no order.
-fn sites_on(points: &[[f64; 2]], tree: &BoxTree, a: u32, b: u32) -> Vec<u32> {
-    let [pa, pb] = [a, b].map(|site| points[site as usize]);
-    let mut found = Vec::new();
-    // The box of a site is the site, and the tree visits boxes that meet the segment's box and its line.
-    tree.for_each_near(pa, pb, |site| {
-        if orient2d(pa, pb, points[site as usize]) == Sign::Zero {
-            found.push(site);
-        }
-    });
-    found
 }
 
 /// Unites equal pieces: the distinct ones, and for each segment its own by index.
