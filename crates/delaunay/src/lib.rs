@@ -37,11 +37,17 @@ mod dynamic;
 mod flat;
 mod flips;
 mod locate;
+mod located;
 mod naive;
+mod natural;
+mod nearest;
+mod numbers;
+mod queries;
 mod registry;
 mod regular;
 mod result;
 mod star;
+mod voronoi;
 
 pub use bowyer_watson::bowyer_watson;
 pub use conflict::{dig_conflicts, in_conflict};
@@ -49,10 +55,15 @@ pub use dynamic::{Dynamic, Inserted};
 pub use divide_conquer::{divide_conquer, divide_conquer_in_parallel};
 pub use flips::{flip_to_delaunay, flips};
 pub use locate::{Coin, walk};
+pub use located::{LocateError, Located, locate};
 pub use naive::{naive_delaunay, naive_mesh};
+pub use natural::natural_neighbours;
+pub use nearest::nearest_sites;
+pub use numbers::ExactPoint;
 pub use registry::{Algorithm, KernelKind, Options, Order, algorithms, delaunay};
 pub use regular::{Regular, regular};
 pub use result::{Delaunay, Fingerprint};
+pub use voronoi::{Dual, PowerDiagram, Region};
 
 #[cfg(test)]
 mod tests;
