@@ -26,11 +26,11 @@ use std::num::NonZeroUsize;
 use delone_mesh::{Cavity, CellId, HalfEdge, Mesh, VertexId};
 use delone_sites::Sites;
 
+use crate::Delaunay;
 use crate::conflict::dig_conflicts;
 use crate::located::{Hint, LocateError, Located};
 use crate::queries::Queries;
 use crate::result::id_of;
-use crate::Delaunay;
 
 /// The natural neighbours of each point, with Sibson's coordinates, counter-clockwise; empty for a point outside the hull.
 /// On up to `threads` threads, which make no difference.

@@ -145,10 +145,7 @@ impl<const D: usize> Eq for ExactPoint<D> {}
 /// circumcenter, if all are equal. The points are not in a hyperplane.
 ///
 /// With the first point for origin, `2 (p_i - p_0) . c = |p_i - p_0|^2 - (w_i - w_0)`, solved by Cramer's rule.
-pub(crate) fn orthocenter<const D: usize>(
-    points: &[[f64; D]],
-    weights: &[f64],
-) -> ExactPoint<D> {
+pub(crate) fn orthocenter<const D: usize>(points: &[[f64; D]], weights: &[f64]) -> ExactPoint<D> {
     let roots = unit(weights.iter().copied()).div_euclid(2);
     let unit = unit(points.iter().flatten().copied()).min(roots);
     let origin: Vec<IBig> = points[0].iter().map(|&x| integer(x, unit)).collect();

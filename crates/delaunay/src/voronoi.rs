@@ -131,8 +131,7 @@ impl<'a, const D: usize> PowerDiagram<'a, D> {
         let corner = self.mesh.corner_of(ghost, VertexId::GHOST);
         let inner = self.mesh.apex(self.mesh.twin(FacetId::new(ghost, corner)));
         let facet = self.mesh.corners(ghost).iter().filter(|v| !v.is_ghost());
-        let points: Vec<[f64; D]> =
-            facet.chain([&inner]).map(|v| self.points[v.index()]).collect();
+        let points: Vec<[f64; D]> = facet.chain([&inner]).map(|v| self.points[v.index()]).collect();
         let unit = unit(points.iter().flatten().copied());
         let row = |p: &[f64; D]| -> Vec<IBig> {
             (0..D).map(|axis| integer(p[axis], unit) - integer(points[0][axis], unit)).collect()
@@ -194,12 +193,10 @@ impl PowerDiagram<'_, 2> {
             }
             let n = self.points[neighbour.index()];
             let d = [n[0] - s[0], n[1] - s[1]];
-            let offset = (d[0] * d[0] + d[1] * d[1] - weigh(neighbour.index())
-                + weigh(site as usize))
-                / 2.0;
+            let offset =
+                (d[0] * d[0] + d[1] * d[1] - weigh(neighbour.index()) + weigh(site as usize)) / 2.0;
             // Positive beyond the bisector.
-            polygon =
-                clipped(&polygon, |p| d[0] * (p[0] - s[0]) + d[1] * (p[1] - s[1]) - offset);
+            polygon = clipped(&polygon, |p| d[0] * (p[0] - s[0]) + d[1] * (p[1] - s[1]) - offset);
         }
         polygon
     }

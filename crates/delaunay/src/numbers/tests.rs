@@ -78,7 +78,8 @@ fn points_round_to_the_nearest_double() {
     for n in 1..200 {
         for d in 1..40 {
             let (n, d) = (n * 7_919, d * 104_729);
-            let quotient = f64::from(i32::try_from(n).unwrap()) / f64::from(i32::try_from(d).unwrap());
+            let quotient =
+                f64::from(i32::try_from(n).unwrap()) / f64::from(i32::try_from(d).unwrap());
             assert_eq!(point(n, d, 0), quotient, "{n} / {d}");
         }
     }
