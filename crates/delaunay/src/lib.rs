@@ -31,7 +31,10 @@
 //! In: [`delone_sites::Sites`], as degenerate as they like. Out: [`Delaunay`], a mesh of the dimension of the sites' affine
 //! hull. Deterministic: same points, same cells, for every order, seed and kernel. Nothing fails.
 //!
-//! **Not here.** Constraints (`delone-cdt`), judgement (`delone-check`).
+//! With weights: [`delone_sites::WeightedSites`] in, [`Regular`] out, which names the hidden sites. What can be stopped says so
+//! in its name. Constructions ([`PowerDiagram`]) are rational and exact, but for what is called rounded, or drawn.
+//!
+//! **Not here.** Fortune's sweep. Constraints (`delone-cdt`), judgement (`delone-check`).
 
 mod bowyer_watson;
 mod conflict;

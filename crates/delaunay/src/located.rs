@@ -92,11 +92,9 @@ pub fn locate<const D: usize>(
         return Err(LocateError::Flat(mesh.dimension()));
     }
     let queries = Queries::new(sites, points).map_err(LocateError::Points)?;
-    let found = queries.answer(threads, |queries, hint: &mut Hint, query| {
-        let p = queries.get(query).1;
-        Some(hint.locate(mesh, &queries.kernel, p))
-    });
-    Ok(found.into_iter().map(|located| located.expect("each point was located")).collect())
+    Ok(queries.answer(threads, |queries, hint: &mut Hint, query| {
+        hint.locate(mesh, &queries.kernel, queries.get(query).1)
+    }))
 }
 
 /// Where the last walk ended.

@@ -36,7 +36,7 @@ impl<const D: usize> Queries<D> {
 
     /// An answer for each point that was asked about, in the order they were given. `answer` gets what its last call in
     /// this block left behind.
-    pub(crate) fn answer<S: Default, A: Clone + Default + Send>(
+    pub(crate) fn answer<S: Default, A: Clone + Send>(
         &self,
         threads: NonZeroUsize,
         answer: impl Fn(&Self, &mut S, u32) -> A + Sync,
@@ -52,10 +52,11 @@ impl<const D: usize> Queries<D> {
             Some(pool) => pool.install(|| order.par_chunks(BLOCK).map(block).collect()),
             None => order.chunks(BLOCK).map(block).collect(),
         };
-        let mut answers = vec![A::default(); order.len()];
+        let mut answers = vec![None; order.len()];
         for (&query, found) in order.iter().zip(found.into_iter().flatten()) {
-            answers[query as usize] = found;
+            answers[query as usize] = Some(found);
         }
-        self.distinct.site_of().iter().map(|&query| answers[query as usize].clone()).collect()
+        let of_site = |&query: &u32| answers[query as usize].clone().expect("each was answered");
+        self.distinct.site_of().iter().map(of_site).collect()
     }
 }

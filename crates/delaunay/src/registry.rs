@@ -103,7 +103,7 @@ pub fn algorithms<const D: usize>() -> Vec<Algorithm<D>> {
     rows.push(Algorithm {
         name: "naive",
         papers: &["DT11"],
-        sites_max: 24,
+        sites_max: 16,
         run: naive,
         run_with: |sites, options, probe| {
             let result = naive(sites, options);
@@ -173,7 +173,7 @@ fn only_in<const D: usize, const K: usize>(rows: Vec<Algorithm<K>>) -> Vec<Algor
     rows.downcast().map_or_else(|_| Vec::new(), |rows| *rows)
 }
 
-/// The Delaunay triangulation of sites, by [`bowyer_watson`] in the given order under the given kernel.
+/// The Delaunay triangulation of sites, by [`crate::bowyer_watson()`] in the given order under the given kernel.
 pub fn delaunay<const D: usize>(
     sites: &Sites<D>,
     options: &Options,
