@@ -3,10 +3,11 @@
 use delone::cdt::Cdt;
 use delone::check::{
     Backend, Complex, Level, Links, Options, Verdict, judge_constrained, judge_delaunay,
-    judge_links,
+    judge_links, judge_regular,
 };
-use delone::delaunay::Delaunay;
+use delone::delaunay::{Delaunay, Regular};
 use delone::mesh::{Mesh, VertexId};
+use delone::sites::WeightedSites;
 use delone::{Pslg, Sites};
 
 use crate::case::Case;
@@ -33,6 +34,21 @@ pub fn accept_delaunay<const D: usize>(
     let dimension = result.mesh().dimension();
     let complex = Complex { points: &case.points, dimension, cells: &cells };
     accept(&case.name, Level::Delaunay, rigour, |options| judge_delaunay(&complex, options));
+}
+
+/// Accepts a regular triangulation of the case with these weights, or panics with the verdict.
+pub fn accept_regular<const D: usize>(
+    case: &Case<D>,
+    weights: &[f64],
+    sites: &WeightedSites<D>,
+    result: &Regular<D>,
+) {
+    accept_links(&case.name, result.mesh());
+    let cells = solid_cells(result.mesh(), sites.input_of());
+    let dimension = result.mesh().dimension();
+    let complex = Complex { points: &case.points, dimension, cells: &cells };
+    let rigour = if case.points.len() <= 12 { Rigour::EveryWay } else { Rigour::Once };
+    accept(&case.name, Level::Regular, rigour, |options| judge_regular(&complex, weights, options));
 }
 
 /// Accepts a constrained Delaunay triangulation of the case, or panics with the verdict.

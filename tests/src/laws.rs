@@ -10,6 +10,8 @@
 //! | `symmetry` | reflected or turned: the same Delaunay cells |
 //! | `euler` | the numbers of cells, facets and vertices fit |
 //! | `definition` | on small inputs, brute force by the definition finds the same cells |
+//! | `removal` | sites taken out leave what the others make from scratch, and put back make what was there |
+//! | `weights` | the regular triangulation is what the judge, and brute force, call so |
 //! | `idempotence` | the CDT of a CDT's own edges is itself; without segments it is the Delaunay triangulation |
 
 mod constrained;

@@ -7,6 +7,7 @@
 //! | `cavities` | validity | 8,000 wide cavities with dangling edges |
 //! | `predicates` | the exact sign | 10^5 calls, over the full range of doubles |
 //! | `cgal`, `spade` | the same triangulation as another program's | workloads, and the collected files |
+//! | `dimensions` | Qhull's cells, in general position; validity | four, five and six dimensions |
 //! | `generated` | all laws, shrinking what fails | structured random inputs |
 //! | `regressions` | all laws | `regressions/`, which only grows |
 //!
@@ -17,7 +18,7 @@
 //! With `DELONE_LONG=1` the largest files are taken as well.
 //!
 //! **Modules.** [`case`] one input; [`corpus`] all of them, of [`hand`] and [`data`]; [`judge`] and [`cells`] what is
-//! compared; [`laws`]; [`cgal`] the opponent.
+//! compared; [`laws`]; [`cgal`] and [`qhull`] the opponents.
 
 #![expect(clippy::missing_panics_doc, reason = "panicking is how a test's helper speaks")]
 
@@ -30,6 +31,7 @@ pub mod exact;
 pub mod hand;
 pub mod judge;
 pub mod laws;
+pub mod qhull;
 
 /// Says on standard error what a test skipped or counted.
 #[expect(clippy::print_stderr, reason = "tests tell what they did not do")]

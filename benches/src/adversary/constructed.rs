@@ -76,7 +76,7 @@ fn construction<const D: usize>(random: &mut Random, plain: &[Vector]) -> (Const
             let (numerator, zeros) = (random.integer(-3, 1 << 20), random.exponent(0, 90));
             let t = (0..zeros).fold(Dyadic::from(numerator), |t, _| t.half());
             let t = if random.once_in(2) { t + Dyadic::from(power_of_two(-90)) } else { t };
-            let whole = Integer::from(1) << 90;
+            let whole: Integer = Integer::from(1) << 90;
             // t times 2^90, from the dyadic number's own digits.
             let shift = u32::try_from(t.exponent() + 90).expect("a multiple of 2^-90");
             let digits = t.mantissa().iter().rev();

@@ -75,6 +75,6 @@ pub use constrained::judge_constrained;
 pub use delaunay::judge_delaunay;
 pub use fault::{Fault, Simplex, Witness};
 pub use links::{Links, judge_links};
-pub use regular::judge_regular;
 pub use options::{Backend, Options, Orientation, Ties};
+pub use regular::judge_regular;
 pub use verdict::{Level, Verdict};

@@ -80,27 +80,24 @@ pub(crate) fn check_used<const D: usize>(
         Unused::Fault => "T8: every point is a vertex or equals one; vertices are distinct points",
         Unused::Hidden => "T8: vertices are distinct points",
     };
-    report.check(
-        claim,
-        |report| {
-            for equal in order.chunk_by(|&u, &v| at(u) == at(v)) {
-                let mut among = equal.iter().copied().filter(|&v| used[v as usize]);
-                let first = among.next();
-                if first.is_none() && unused == Unused::Fault {
-                    report.fault(Fault::UnusedPoint { point: witness(points, equal[0]) });
-                }
-                let first = first.unwrap_or(equal[0]);
-                for again in among {
-                    report.fault(Fault::DuplicatePoint { point: witness(points, again), first });
-                }
-                for &v in equal {
-                    representative[v as usize] = first;
-                    if !used[v as usize] && v != first {
-                        report.duplicate();
-                    }
+    report.check(claim, |report| {
+        for equal in order.chunk_by(|&u, &v| at(u) == at(v)) {
+            let mut among = equal.iter().copied().filter(|&v| used[v as usize]);
+            let first = among.next();
+            if first.is_none() && unused == Unused::Fault {
+                report.fault(Fault::UnusedPoint { point: witness(points, equal[0]) });
+            }
+            let first = first.unwrap_or(equal[0]);
+            for again in among {
+                report.fault(Fault::DuplicatePoint { point: witness(points, again), first });
+            }
+            for &v in equal {
+                representative[v as usize] = first;
+                if !used[v as usize] && v != first {
+                    report.duplicate();
                 }
             }
-        },
-    );
+        }
+    });
     representative
 }

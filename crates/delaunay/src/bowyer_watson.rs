@@ -27,7 +27,7 @@
 
 use delone_mesh::{Cavity, CellId, Mesh, VertexId};
 use delone_predicates::{Kernel, Projected};
-use delone_probe::{Event, Probe};
+use delone_probe::{Event, Probe, Unstoppable};
 
 use crate::conflict::{dig_conflicts, in_conflict};
 use crate::flat::{Flat, span};
@@ -38,6 +38,15 @@ use crate::locate::{Coin, walk};
 /// # Panics
 /// If `order` names a vertex twice, or one that the kernel does not know, or two vertices are at one position.
 pub fn bowyer_watson<const D: usize>(
+    kernel: &impl Kernel<D>,
+    order: &[u32],
+    probe: &mut impl Probe,
+) -> Mesh<D> {
+    construct(kernel, order, &mut Unstoppable(probe))
+}
+
+/// The same; if the probe does not go on, the mesh of some of the vertices.
+pub(crate) fn construct<const D: usize>(
     kernel: &impl Kernel<D>,
     order: &[u32],
     probe: &mut impl Probe,
@@ -92,6 +101,9 @@ fn build<const D: usize, K: Kernel<D>>(
     let mut coin = Coin::default();
     let mut hint = CellId::new(0);
     for done in D + 1..count {
+        if !probe.goes_on() {
+            break;
+        }
         let p = VertexId::new(done);
         let seed = walk(&mesh, kernel, hint, p, &mut coin, probe);
         if K::HIDES && !in_conflict(&mesh, kernel, seed, p, probe) {

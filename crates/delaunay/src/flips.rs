@@ -149,8 +149,11 @@ pub fn flip_to_delaunay(
     let mut flips = 0;
     while let Some(h) = stack.pop() {
         let t = mesh.twin(h);
-        let (cell, apex) =
-            if mesh.apex(t).is_ghost() { (t.cell(), mesh.apex(h)) } else { (h.cell(), mesh.apex(t)) };
+        let (cell, apex) = if mesh.apex(t).is_ghost() {
+            (t.cell(), mesh.apex(h))
+        } else {
+            (h.cell(), mesh.apex(t))
+        };
         if in_conflict(mesh, kernel, cell, apex, probe) {
             mesh.flip(h);
             probe.on(Event::Flip);

@@ -1,15 +1,16 @@
 //! Every Delaunay algorithm by name: what the lab, the tests and the benches walk.
 
 use std::any::Any;
+use std::fmt;
 use std::num::NonZeroUsize;
 
+use delone_mesh::Mesh;
 use delone_predicates::{Adaptive, Exact};
-use delone_probe::{Event, Probe};
+use delone_probe::{Event, Probe, Unstoppable};
 use delone_sites::Sites;
 
-use crate::{
-    Delaunay, bowyer_watson, divide_conquer, divide_conquer_in_parallel, flips, naive_mesh,
-};
+use crate::bowyer_watson::construct;
+use crate::{Delaunay, divide_conquer, divide_conquer_in_parallel, flips, naive_mesh};
 
 /// Which kernel answers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -102,7 +103,7 @@ pub fn algorithms<const D: usize>() -> Vec<Algorithm<D>> {
     rows.push(Algorithm {
         name: "naive",
         papers: &["DT11"],
-        sites_max: 24,
+        sites_max: 16,
         run: naive,
         run_with: |sites, options, probe| {
             let result = naive(sites, options);
@@ -172,15 +173,87 @@ fn only_in<const D: usize, const K: usize>(rows: Vec<Algorithm<K>>) -> Vec<Algor
     rows.downcast().map_or_else(|_| Vec::new(), |rows| *rows)
 }
 
-/// The Delaunay triangulation of sites, by [`bowyer_watson`] in the given order under the given kernel.
+/// The Delaunay triangulation of sites, by [`crate::bowyer_watson()`] in the given order under the given kernel.
 pub fn delaunay<const D: usize>(
     sites: &Sites<D>,
     options: &Options,
     probe: &mut impl Probe,
 ) -> Delaunay<D> {
+    Delaunay::new(by_bowyer_watson(sites, options, &mut Unstoppable(probe)))
+}
+
+/// The mesh of sites; of some of them, if the probe does not go on.
+fn by_bowyer_watson<const D: usize>(
+    sites: &Sites<D>,
+    options: &Options,
+    probe: &mut impl Probe,
+) -> Mesh<D> {
     let order = options.order(sites);
-    Delaunay::new(match options.kernel {
-        KernelKind::Adaptive => bowyer_watson(&Adaptive::new(sites.points()), &order, probe),
-        KernelKind::Exact => bowyer_watson(&Exact::new(sites.points()), &order, probe),
-    })
+    match options.kernel {
+        KernelKind::Adaptive => construct(&Adaptive::new(sites.points()), &order, probe),
+        KernelKind::Exact => construct(&Exact::new(sites.points()), &order, probe),
+    }
+}
+
+/// That an algorithm was stopped by its probe.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Stopped;
+
+impl fmt::Display for Stopped {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "stopped before all sites were in, as the probe asked")
+    }
+}
+
+impl std::error::Error for Stopped {}
+
+/// The same as [`delaunay()`], unless the probe says, between two sites, not to go on.
+///
+/// ```
+/// use delone_delaunay::{Options, Stopped, delaunay_unless_stopped};
+/// use delone_probe::{Event, Probe, Unstoppable};
+/// use delone_sites::Sites;
+///
+/// struct AtMost(usize);
+/// impl Probe for AtMost {
+///     fn on(&mut self, _: Event) {}
+///     fn goes_on(&mut self) -> bool {
+///         self.0 = self.0.saturating_sub(1);
+///         self.0 > 0
+///     }
+/// }
+///
+/// let sites = Sites::new(&[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0], [1.0, 1.0]]).unwrap();
+/// let run = |most| delaunay_unless_stopped(&sites, &Options::default(), &mut AtMost(most));
+/// assert!(run(9).is_ok());
+/// assert_eq!(run(2), Err(Stopped));
+/// ```
+///
+/// # Errors
+/// If the probe stopped it.
+pub fn delaunay_unless_stopped<const D: usize>(
+    sites: &Sites<D>,
+    options: &Options,
+    probe: &mut impl Probe,
+) -> Result<Delaunay<D>, Stopped> {
+    let mut watched = Watched { probe, is_stopped: false };
+    let mesh = by_bowyer_watson(sites, options, &mut watched);
+    if watched.is_stopped { Err(Stopped) } else { Ok(Delaunay::new(mesh)) }
+}
+
+/// A probe that remembers having stopped.
+struct Watched<P> {
+    probe: P,
+    is_stopped: bool,
+}
+
+impl<P: Probe> Probe for Watched<P> {
+    fn on(&mut self, event: Event) {
+        self.probe.on(event);
+    }
+
+    fn goes_on(&mut self) -> bool {
+        self.is_stopped |= !self.probe.goes_on();
+        !self.is_stopped
+    }
 }

@@ -5,6 +5,8 @@ use delone_sites::Sites;
 
 use super::*;
 
+mod structure;
+
 const ORDERS: [Order; 4] = [Order::Brio, Order::Hilbert, Order::AsGiven, Order::Lexicographic];
 
 fn check<const D: usize>(points: &[[f64; D]]) -> Delaunay<D> {

@@ -117,6 +117,57 @@ pub trait Kernel<const D: usize> {
     }
 }
 
+/// A kernel that is lent.
+impl<const D: usize, K: Kernel<D>> Kernel<D> for &K {
+    type Reordered = K::Reordered;
+
+    const HIDES: bool = K::HIDES;
+
+    fn reordered(&self, order: &[u32]) -> Self::Reordered {
+        (**self).reordered(order)
+    }
+
+    fn orient_on<V: Id>(&self, axes: &[usize], simplex: &[V]) -> Sign {
+        (**self).orient_on(axes, simplex)
+    }
+
+    fn lifted_on<V: Id>(&self, axes: &[usize], simplex: &[V], q: V) -> Sign {
+        (**self).lifted_on(axes, simplex, q)
+    }
+
+    fn compare<V: Id>(&self, axis: usize, u: V, v: V) -> Ordering {
+        (**self).compare(axis, u, v)
+    }
+
+    fn orient<V: Id>(&self, simplex: &[V]) -> Sign {
+        (**self).orient(simplex)
+    }
+
+    fn lifted<V: Id>(&self, simplex: &[V], q: V) -> Sign {
+        (**self).lifted(simplex, q)
+    }
+
+    fn orient_staged<V: Id>(&self, simplex: &[V]) -> (Sign, Stage) {
+        (**self).orient_staged(simplex)
+    }
+
+    fn lifted_staged<V: Id>(&self, simplex: &[V], q: V) -> (Sign, Stage) {
+        (**self).lifted_staged(simplex, q)
+    }
+
+    fn compare_lexicographic<V: Id>(&self, u: V, v: V) -> Ordering {
+        (**self).compare_lexicographic(u, v)
+    }
+
+    fn in_sphere<V: Id>(&self, simplex: &[V], q: V) -> Side {
+        (**self).in_sphere(simplex, q)
+    }
+
+    fn in_sphere_within<V: Id>(&self, facet: &[V], q: V) -> Side {
+        (**self).in_sphere_within(facet, q)
+    }
+}
+
 /// What algorithms in the plane ask besides.
 pub trait PlaneKernel: Kernel<2> {
     /// The sign of `(b - a) x (d - c)`: positive if `d` is higher than `c` above the line from `a` to `b`.

@@ -16,6 +16,10 @@
 //! assert_eq!(counts.walk_steps, 3);
 //! ```
 //!
+//! **Progress and cancellation.** [`Event::Site`] tells how many sites are in, of how many. A probe whose
+//! [`goes_on`](Probe::goes_on) says no stops what can be stopped: it may look at a flag that another thread sets, at a
+//! count, at a clock.
+//!
 //! **Not here.** Clocks and progress bars: only the lab reads a clock.
 
 /// One thing an algorithm did. Shared by all algorithms, so that their counts compare.
@@ -54,6 +58,13 @@ pub enum Event {
 pub trait Probe {
     /// Called at each event, in the order things happen.
     fn on(&mut self, event: Event);
+
+    /// Whether to go on. Asked between two sites, and only by algorithms that say that they can be stopped: those return
+    /// an error instead of a result if the answer is no. All others neither ask nor stop.
+    #[inline(always)]
+    fn goes_on(&mut self) -> bool {
+        true
+    }
 }
 
 /// The probe that listens to nothing, at no cost.
@@ -66,6 +77,22 @@ impl<P: Probe + ?Sized> Probe for &mut P {
     #[inline]
     fn on(&mut self, event: Event) {
         (**self).on(event);
+    }
+
+    #[inline]
+    fn goes_on(&mut self) -> bool {
+        (**self).goes_on()
+    }
+}
+
+/// The same probe, but that always goes on.
+#[derive(Clone, Copy, Debug)]
+pub struct Unstoppable<P>(pub P);
+
+impl<P: Probe> Probe for Unstoppable<P> {
+    #[inline(always)]
+    fn on(&mut self, event: Event) {
+        self.0.on(event);
     }
 }
 

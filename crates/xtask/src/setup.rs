@@ -5,6 +5,7 @@
 //! | `g++` | g++ | the CGAL peer |
 //! | CGAL's headers | libcgal-dev | the CGAL peer |
 //! | GMP and MPFR headers | libgmp-dev, libmpfr-dev | the CGAL peer |
+//! | `qdelaunay` | qhull-bin | the Qhull peer |
 //! | `m4`, `make` | m4, make | the `rug` backend of the judge, which builds GMP |
 //!
 //! The program itself needs none of this.
@@ -19,12 +20,13 @@ struct Need {
     is_here: fn() -> bool,
 }
 
-const NEEDS: [Need; 6] = [
+const NEEDS: [Need; 7] = [
     Need { package: "g++", is_here: || succeeds("g++", &["--version"]) },
     Need { package: "m4", is_here: || succeeds("m4", &["--version"]) },
     Need { package: "make", is_here: || succeeds("make", &["--version"]) },
     Need { package: "libcgal-dev", is_here: || header("CGAL/version.h") },
     Need { package: "libgmp-dev", is_here: || header("gmp.h") },
+    Need { package: "qhull-bin", is_here: || succeeds("qdelaunay", &["-V"]) },
     Need { package: "libmpfr-dev", is_here: || header("mpfr.h") },
 ];
 

@@ -2,12 +2,18 @@
 
 use delone::Sites;
 use delone::check::naive;
-use delone::delaunay::{Algorithm, Delaunay, Options, algorithms, delaunay};
+use delone::delaunay::{
+    Algorithm, Delaunay, Dynamic, Inserted, Options, algorithms, bowyer_watson, delaunay, regular,
+};
+use delone::predicates::Adaptive;
+use delone::sites::WeightedSites;
+use delone::workloads::Rng;
 
 use super::{Law, THOROUGH_MAX, all_options, scalings, symmetries, translations};
 use crate::case::Case;
 use crate::cells::delaunay_cells;
-use crate::judge::{Rigour, accept_delaunay};
+use crate::id;
+use crate::judge::{Rigour, accept_delaunay, accept_regular};
 
 /// Every law of point sets, in D dimensions.
 #[must_use]
@@ -21,6 +27,8 @@ pub fn delaunay_laws<const D: usize>() -> Vec<Law<D>> {
         Law { name: "symmetry", hold: symmetry },
         Law { name: "euler", hold: euler },
         Law { name: "definition", hold: definition },
+        Law { name: "removal", hold: removal },
+        Law { name: "weights", hold: weights },
     ]
 }
 
@@ -152,4 +160,53 @@ pub(super) fn in_input_ids(cells: &[u32], corners: usize, input_of: &[u32]) -> V
     cells.iter_mut().for_each(|cell| cell.sort_unstable());
     cells.sort_unstable();
     cells
+}
+
+/// The most sites that are taken out one after the other.
+const REMOVED_MAX: usize = 12;
+
+/// Sites taken out leave what the others make from scratch; put back, they make what was there.
+fn removal<const D: usize>(case: &Case<D>) -> usize {
+    let (sites, whole) = (case.sites(), run(case));
+    let kernel = Adaptive::new(sites.points());
+    let mut changing = Dynamic::of(&kernel, whole.mesh().clone(), sites.len(), &[]);
+    let mut order: Vec<u32> = (0..id(sites.len())).collect();
+    Rng::named("removal", 1).shuffle(&mut order);
+    let (gone, kept) = order.split_at(sites.len().min(REMOVED_MAX));
+    let cells = |mesh: &delone::Mesh<D>| mesh.canonical(|vertex| id(vertex.index()));
+    for (count, &site) in (1..).zip(gone) {
+        assert!(changing.remove(site, &mut ()), "{}: {site}", case.name);
+        let others = [&gone[count..], kept].concat();
+        let scratch = bowyer_watson(&kernel, &others, &mut ());
+        assert_eq!(cells(changing.mesh()), cells(&scratch), "{}: without {site}", case.name);
+    }
+    for &site in gone {
+        assert_eq!(changing.insert(site, &mut ()), Inserted::Vertex, "{}: {site}", case.name);
+    }
+    assert_eq!(cells(changing.mesh()), whole.canonical(), "{}: all put back", case.name);
+    2 * gone.len()
+}
+
+/// The regular triangulation is what the judge calls so, for weights that hide none, some, and most sites.
+fn weights<const D: usize>(case: &Case<D>) -> usize {
+    let mut rng = Rng::named("weights", 1);
+    let near = case.points.windows(2).map(|pair| (pair[0][0] - pair[1][0]).powi(2));
+    let scale = near.filter(|square| *square < 1e300).fold(0.0, f64::max);
+    let scales = [0.0, 1.0, scale / 64.0];
+    for factor in scales {
+        let mut weight = || f64::from(u32::try_from(rng.below(8)).expect("small")) * factor;
+        let weights: Vec<f64> = case.points.iter().map(|_| weight()).collect();
+        let sites = WeightedSites::new(&case.points, &weights).expect("finite");
+        let result = regular(&sites, &Options::default(), &mut ());
+        accept_regular(case, &weights, &sites, &result);
+        if factor == 0.0 {
+            assert_eq!(result.canonical(), run(case).canonical(), "{}: no weight", case.name);
+        }
+        if case.points.len() <= naive_max(D) {
+            let corners = result.mesh().corner_count();
+            let found = in_input_ids(&result.canonical(), corners, sites.input_of());
+            assert_eq!(found, naive::regular(&case.points, &weights), "{}", case.name);
+        }
+    }
+    scales.len()
 }

@@ -103,7 +103,8 @@ fn of_equal_points_only_the_heaviest_may_be_used() {
     let first = Owned::new(&points, 2, &[0, 1, 2]);
     let second = Owned::new(&points, 2, &[3, 1, 2]);
     rejected(&first, &[0.0, 0.0, 0.0, 1.0], "not-hidden");
-    for (input, weights) in [(&first, [0.0; 4]), (&second, [0.0; 4]), (&second, [0.0, 0.0, 0.0, 1.0])]
+    for (input, weights) in
+        [(&first, [0.0; 4]), (&second, [0.0; 4]), (&second, [0.0, 0.0, 0.0, 1.0])]
     {
         assert!(judged(input, &weights, any()).ok);
     }

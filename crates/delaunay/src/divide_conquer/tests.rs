@@ -8,6 +8,8 @@ use delone_workloads::{Kind, Points, all, generate};
 use super::*;
 use crate::{bowyer_watson, naive_delaunay};
 
+mod vertical;
+
 fn canonical(mesh: &Mesh<2>) -> Vec<u32> {
     mesh.canonical(|vertex| u32::try_from(vertex.index()).unwrap())
 }

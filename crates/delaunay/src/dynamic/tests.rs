@@ -82,8 +82,9 @@ fn sites_come_and_go_in_general_position() {
     distinct.sort_unstable_by(|p, q| p.partial_cmp(q).unwrap());
     distinct.dedup();
     churn::<2, _>(Adaptive::new(&distinct), distinct.len(), 240, &mut random);
-    let space: Vec<[f64; 3]> =
-        (0..40u32).map(|i| [f64::from(i), f64::from(i * i % 41), f64::from(i * i * i % 43)]).collect();
+    let space: Vec<[f64; 3]> = (0..40u32)
+        .map(|i| [f64::from(i), f64::from(i * i % 41), f64::from(i * i * i % 43)])
+        .collect();
     churn::<3, _>(Adaptive::new(&space), 40, 160, &mut random);
 }
 
