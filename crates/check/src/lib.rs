@@ -27,6 +27,7 @@
 //! |---|---|---|
 //! | [`judge_delaunay`] | Delaunay in any dimension, or in a flat | sorts, O(1) signs per facet |
 //! | [`judge_constrained`] | constrained Delaunay in the plane | the same, plus all chains |
+//! | [`judge_arranged`] | the same where segments cross, crossings being vertices | sorts, big ratios |
 //! | [`judge_links`] | the twins and ghosts of a mesh | sorting |
 //! | [`naive`] | answers by definition, for tests | polynomial of high degree |
 //!
@@ -49,6 +50,7 @@
 //! **Modules.** `exact` numbers, `space` predicates, `facets` pairing, `sites` T8, `cells` T1 T2,
 //! `triangulation` T3 T6 T7, `hull` T5 and the ray, `local` D2, `chains` K2 K3 K4, `links` T4.
 
+mod arranged;
 mod cells;
 mod chains;
 mod constrained;
@@ -68,6 +70,7 @@ mod testing;
 mod triangulation;
 mod verdict;
 
+pub use arranged::{Arranged, judge_arranged};
 pub use cells::Complex;
 pub use constrained::judge_constrained;
 pub use delaunay::judge_delaunay;
