@@ -311,6 +311,16 @@ pub(crate) struct Draw {
     /// Number vertices and triangles
     #[arg(long)]
     pub(crate) numbered: bool,
+    /// Number edges
+    #[arg(long)]
+    pub(crate) edges: bool,
+    /// Move the triangles apart: their distances from the middle, times this
+    #[arg(long, value_name = "FACTOR")]
+    pub(crate) explode: Option<f64>,
+    /// Three panels: the input, its Delaunay triangulation (missing segments in red), its constrained Delaunay triangulation
+    /// (edges that are not Delaunay in red)
+    #[arg(long, conflicts_with_all = ["bare", "explode"])]
+    pub(crate) panels: bool,
     /// Draw circumcircles
     #[arg(long)]
     pub(crate) circumcircles: bool,
