@@ -28,6 +28,7 @@
 //! | [`judge_delaunay`] | Delaunay in any dimension, or in a flat | sorts, O(1) signs per facet |
 //! | [`judge_constrained`] | constrained Delaunay in the plane | the same, plus all chains |
 //! | [`judge_arranged`] | the same where segments cross, crossings being vertices | sorts, big ratios |
+//! | [`judge_fill`] | what is inside, by a rule | a ray for each region |
 //! | [`judge_links`] | the twins and ghosts of a mesh | sorting |
 //! | [`naive`] | answers by definition, for tests | polynomial of high degree |
 //!
@@ -58,6 +59,7 @@ mod delaunay;
 mod exact;
 mod facets;
 mod fault;
+mod fill;
 mod hull;
 mod links;
 mod local;
@@ -75,6 +77,7 @@ pub use cells::Complex;
 pub use constrained::judge_constrained;
 pub use delaunay::judge_delaunay;
 pub use fault::{Fault, Simplex, Witness};
+pub use fill::{FillRule, judge_fill};
 pub use links::{Links, judge_links};
 pub use options::{Backend, Options, Orientation, Ties};
 pub use verdict::{Level, Verdict};
