@@ -10,6 +10,7 @@
 //! | `symmetry` | reflected or turned: the same Delaunay cells |
 //! | `euler` | the numbers of cells, facets and vertices fit |
 //! | `definition` | on small inputs, brute force by the definition finds the same cells |
+//! | `fill` | what is inside by each rule is what the judge says |
 //! | `idempotence` | the CDT of a CDT's own edges is itself; without segments it is the Delaunay triangulation |
 
 mod constrained;

@@ -1,6 +1,7 @@
 //! What a fill rule says of a CDT, for scripts and people.
 
 use delone_cdt::{Cdt, Domain, EdgeKind, Fill};
+use delone_check::{Complex, FillRule, Options, Verdict, judge_fill};
 use delone_sites::Noded;
 use serde_json::{Map, Value, json};
 
@@ -33,6 +34,36 @@ pub(crate) fn domain(
     triangulation
         .domain(subject, &rule)
         .map_err(|error| refusal(&subject.document, &error.to_string()))
+}
+
+/// What the judge says of a fill; `None` if it does not judge this rule, or vertices that doubles do not hold.
+pub(crate) fn verdict(
+    triangulation: &Triangulation,
+    subject: &Subject,
+    domain: &Domain,
+    fill: cli::Fill,
+) -> Option<Verdict> {
+    let rule = match fill {
+        cli::Fill::EvenOdd => FillRule::EvenOdd,
+        cli::Fill::Nonzero => FillRule::NonZero,
+        cli::Fill::Positive => FillRule::Positive,
+        cli::Fill::Nesting => FillRule::Nesting,
+        cli::Fill::Exterior => FillRule::Exterior,
+        cli::Fill::None | cli::Fill::Seeds => return None,
+    };
+    let (Triangulation::Constrained(cdt), Body::Graph(pslg)) = (triangulation, &subject.body)
+    else {
+        return None;
+    };
+    let mesh = cdt.mesh();
+    let complex = Complex {
+        points: pslg.sites().points(),
+        dimension: mesh.dimension(),
+        cells: &judge::solid_ids(mesh),
+    };
+    let is_inside = |cell| domain.is_inside(domain.regions().of_cell(cell));
+    let inside: Vec<bool> = cdt.cells().map(is_inside).collect();
+    Some(judge_fill(&complex, pslg.segments(), &inside, rule, &Options::default()))
 }
 
 /// The keys of a filled CDT.

@@ -89,6 +89,14 @@ fn links<const D: usize>(mesh: &Mesh<D>) -> Verdict {
     )
 }
 
+/// The verdict on a CDT and that on its fill; the level is that of the CDT.
+pub(crate) fn with_fill(cdt: Verdict, fill: Verdict) -> Verdict {
+    let (level, ties, duplicates) = (cdt.level, cdt.ties, cdt.duplicates);
+    let claims = fill.proved.iter().filter(|claim| claim.starts_with('F')).cloned().collect();
+    let fill = Verdict { proved: claims, ..fill };
+    Verdict { level, ties, duplicates, ..joined(cdt, fill) }
+}
+
 /// Both verdicts; the level is that of the second.
 fn joined(first: Verdict, second: Verdict) -> Verdict {
     let mut proved = first.proved;

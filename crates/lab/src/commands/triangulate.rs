@@ -14,7 +14,7 @@ use crate::pictures::Drawing;
 use crate::progress::Progress;
 use crate::result::{Outcome, Seconds, describe};
 use crate::subject::{Body, Subject};
-use crate::{fill, input, output};
+use crate::{fill, input, judge, output};
 
 pub(crate) fn delaunay(arguments: &cli::Triangulate) -> Result<(), Failure> {
     let start = Instant::now();
@@ -46,12 +46,12 @@ pub(crate) fn cdt(arguments: &cli::Cdt) -> Result<(), Failure> {
             keys.retain(|key, _| !matches!(key.as_str(), "regions" | "edge_kinds"));
         }
         extra.extend(keys);
-        Ok((extra, (arguments.fill != cli::Fill::None).then_some(domain)))
+        Ok((extra, (arguments.fill != cli::Fill::None).then_some((domain, arguments.fill))))
     })
 }
 
 /// The keys that only one command has, and what is inside if not everything.
-type Filled = (Map<String, serde_json::Value>, Option<Domain>);
+type Filled = (Map<String, serde_json::Value>, Option<(Domain, cli::Fill)>);
 
 struct Job<'a> {
     schema: &'static str,
@@ -65,7 +65,7 @@ impl Job<'_> {
     fn carry_out(
         &self,
         subject: &Subject,
-        fill: impl FnOnce(&Triangulation) -> Result<Filled, Failure>,
+        filled: impl FnOnce(&Triangulation) -> Result<Filled, Failure>,
     ) -> Result<(), Failure> {
         let Self { schema, run, report, read } = *self;
         let algorithm = engine::choose(subject, run.algorithm.as_deref())?;
@@ -82,10 +82,16 @@ impl Job<'_> {
         progress.finish();
         let mut seconds = Seconds { read, build: built.seconds, ..Seconds::default() };
         let triangulation = built.triangulation;
+        let (extra, filled) = filled(&triangulation)?;
         let clock = Instant::now();
-        let verdict = report.check.then(|| triangulation.verdict(subject));
+        let verdict = report.check.then(|| {
+            let verdict = triangulation.verdict(subject);
+            let of_fill = filled
+                .as_ref()
+                .and_then(|(domain, rule)| fill::verdict(&triangulation, subject, domain, *rule));
+            of_fill.map_or(verdict.clone(), |of_fill| judge::with_fill(verdict, of_fill))
+        });
         seconds.check = report.check.then(|| clock.elapsed().as_secs_f64());
-        let (extra, domain) = fill(&triangulation)?;
         let mut outcome = Outcome {
             schema,
             subject,
@@ -104,7 +110,8 @@ impl Job<'_> {
             notes: subject.document.notes.clone(),
         };
         let clock = Instant::now();
-        write_results(report, &triangulation, domain.as_ref(), &mut outcome)?;
+        let domain = filled.as_ref().map(|(domain, _)| domain);
+        write_results(report, &triangulation, domain, &mut outcome)?;
         tell(report, &mut outcome, clock.elapsed().as_secs_f64())
     }
 }
