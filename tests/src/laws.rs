@@ -12,6 +12,7 @@
 //! | `definition` | on small inputs, brute force by the definition finds the same cells |
 //! | `removal` | sites taken out leave what the others make from scratch, and put back make what was there |
 //! | `weights` | the regular triangulation is what the judge, and brute force, call so |
+//! | `fill` | what is inside by each rule is what the judge says |
 //! | `idempotence` | the CDT of a CDT's own edges is itself; without segments it is the Delaunay triangulation |
 
 mod constrained;

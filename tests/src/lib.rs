@@ -5,6 +5,8 @@
 //! | `laws` | all [`laws`] | the whole [`corpus`] |
 //! | `exhaustive` | the definition, by brute force | every small input of a kind |
 //! | `cavities` | validity | 8,000 wide cavities with dangling edges |
+//! | `lecture` | areas done by hand, under every rule | the fifteen soups of the lecture |
+//! | `crossings` | agreement, and the judge's proof | segments that cross |
 //! | `predicates` | the exact sign | 10^5 calls, over the full range of doubles |
 //! | `cgal`, `spade` | the same triangulation as another program's | workloads, and the collected files |
 //! | `dimensions` | Qhull's cells, in general position; validity | four, five and six dimensions |

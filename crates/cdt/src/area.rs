@@ -17,7 +17,7 @@ use std::ops::AddAssign;
 use dashu_int::ops::{BitTest, DivRem, Gcd, UnsignedAbs};
 use dashu_int::{IBig, UBig};
 
-pub(crate) use sum::Areas;
+pub(crate) use sum::{Areas, total};
 
 /// An exact fraction. Displayed as `p` or `p/q` in lowest terms; equal numbers are equal.
 #[derive(Clone, Debug, PartialEq, Eq)]

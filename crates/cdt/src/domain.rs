@@ -38,6 +38,7 @@ mod seeds;
 use delone_mesh::CellId;
 use delone_sites::Noded;
 
+use crate::area::total;
 use crate::regions::{RegionId, Regions, Shore};
 use crate::{Area, Cdt};
 
@@ -125,14 +126,11 @@ impl Domain {
         &self.areas[region as usize]
     }
 
-    /// The area of all that is inside, exactly.
+    /// The area of all that is inside, exactly. Among k crossings it may be a fraction of some hundred digits for each.
     #[must_use]
     pub fn area(&self) -> Area {
-        let mut sum = Area::default();
-        for (area, _) in self.areas.iter().zip(&self.inside).filter(|(_, inside)| **inside) {
-            sum += area;
-        }
-        sum
+        let inside = self.areas.iter().zip(&self.inside).filter(|(_, inside)| **inside);
+        total(inside.map(|(area, _)| area.clone()).collect())
     }
 
     /// The fewest subsegments on any way from infinity into a region.

@@ -26,6 +26,8 @@
 //! | three ends in line | the quadrilateral is not strictly convex: not flipped | `every_segment_of_a_grid_can_be_inserted` |
 //! | cocircular sites | the perturbation decides | `chew_agrees_on_small_grids` |
 
+use std::fmt;
+
 use delone_mesh::{CellId, HalfEdge, Mesh, VertexId};
 use delone_predicates::{PlaneKernel, Side, Sign};
 use delone_probe::{Event, Probe};
@@ -40,71 +42,142 @@ pub(crate) fn insert_by_flips(
     subsegments: &[[u32; 2]],
     probe: &mut impl Probe,
 ) -> (Mesh<2>, Vec<bool>) {
-    let cells = mesh.cells_by_vertex(sites).into_iter();
-    let cell_of = cells.map(|cell| cell.expect("each site is a vertex of the mesh")).collect();
     let constrained = vec![false; 3 * mesh.cell_count()];
-    let mut work =
-        Flips { mesh, kernel, cell_of, constrained, crossing: Vec::new(), made: Vec::new() };
+    let mut work = Flips::new(mesh, constrained, kernel, sites);
     for ends in subsegments {
         let [a, b] = ends.map(|site| VertexId::new(site as usize));
-        if work.edge([a, b]).is_none() {
-            work.find_crossing([a, b], probe);
-            work.remove_crossing([a, b], probe);
-        }
-        let h = work.edge([a, b]).expect("Inv 2: when nothing crosses it, the segment is an edge");
-        work.constrained[h.index()] = true;
-        let twin = work.mesh.twin(h);
-        work.constrained[twin.index()] = true;
-        probe.on(Event::Subsegment);
-        work.legalize(probe);
+        let inserted = work.insert([a, b], probe);
+        inserted.unwrap_or_else(|blocked| panic!("a PSLG is noded: {blocked}"));
     }
     (work.mesh, work.constrained)
 }
 
-struct Flips<'k, K> {
-    mesh: Mesh<2>,
+/// A CDT in the making, or under change.
+#[derive(Debug)]
+pub(crate) struct Flips<'k, K> {
+    pub(crate) mesh: Mesh<2>,
     kernel: &'k K,
     /// A cell of each vertex.
     cell_of: Vec<CellId>,
     /// By half-edge.
-    constrained: Vec<bool>,
+    pub(crate) constrained: Vec<bool>,
     /// The edges that cross the segment, in order along it: upper end, lower end.
     crossing: Vec<Ends>,
     /// The edges made for it.
     made: Vec<Ends>,
 }
 
-impl<K: PlaneKernel> Flips<'_, K> {
+/// Why a segment cannot be put in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Blocked {
+    /// It crosses this constrained edge.
+    Crosses([VertexId; 2]),
+    /// It runs through this vertex.
+    Through(VertexId),
+}
+
+impl fmt::Display for Blocked {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Crosses([u, v]) => {
+                write!(f, "the segment crosses the constrained edge from {u:?} to {v:?}: cut both")
+            }
+            Self::Through(v) => write!(f, "the segment runs through {v:?}: cut it there"),
+        }
+    }
+}
+
+impl std::error::Error for Blocked {}
+
+impl<'k, K: PlaneKernel> Flips<'k, K> {
+    pub(crate) fn new(
+        mesh: Mesh<2>,
+        constrained: Vec<bool>,
+        kernel: &'k K,
+        vertices: usize,
+    ) -> Self {
+        let cells = mesh.cells_by_vertex(vertices).into_iter();
+        let cell_of = cells.map(|cell| cell.expect("each site is a vertex of the mesh")).collect();
+        Self { mesh, kernel, cell_of, constrained, crossing: Vec::new(), made: Vec::new() }
+    }
+
+    /// Makes the segment a constrained edge; changes nothing if it is blocked.
+    pub(crate) fn insert(&mut self, ends: Ends, probe: &mut impl Probe) -> Result<(), Blocked> {
+        self.made.clear();
+        if self.edge(ends).is_none() {
+            self.find_crossing(ends, probe)?;
+            self.remove_crossing(ends, probe);
+        }
+        let h = self.edge(ends).expect("Inv 2: when nothing crosses it, the segment is an edge");
+        self.mark(h, true);
+        probe.on(Event::Subsegment);
+        self.legalize(probe);
+        Ok(())
+    }
+
+    /// Makes the edge free; whether it was constrained.
+    pub(crate) fn release(&mut self, ends: Ends, probe: &mut impl Probe) -> bool {
+        let Some(h) = self.edge(ends).filter(|h| self.constrained[h.index()]) else { return false };
+        self.mark(h, false);
+        self.made.clear();
+        self.made.push(ends); // no other edge can be illegal
+        self.legalize(probe);
+        true
+    }
+
+    fn mark(&mut self, h: HalfEdge, is_constrained: bool) {
+        for h in [h, self.mesh.twin(h)] {
+            self.constrained[h.index()] = is_constrained;
+        }
+    }
+
     fn edge(&self, [a, b]: Ends) -> Option<HalfEdge> {
         self.mesh.half_edge(a, b, self.cell_of[a.index()])
     }
 
-    fn find_crossing(&mut self, [a, b]: Ends, probe: &mut impl Probe) {
+    /// A neighbour of `a` that lies on the segment to `b`.
+    fn neighbour_on(&self, [a, b]: Ends) -> Option<VertexId> {
+        let onwards = self.kernel.compare_lexicographic(a, b);
+        let mut around = self.mesh.ring(a, self.cell_of[a.index()]);
+        around.by_ref().map(|h| self.mesh.destination(h)).find(|&v| {
+            !v.is_ghost()
+                && self.kernel.compare_lexicographic(a, v) == onwards
+                && self.kernel.orient(&[a, b, v]) == Sign::Zero
+        })
+    }
+
+    fn find_crossing(&mut self, [a, b]: Ends, probe: &mut impl Probe) -> Result<(), Blocked> {
         self.crossing.clear();
+        if let Some(v) = self.neighbour_on([a, b]) {
+            return Err(Blocked::Through(v));
+        }
         let mut crossed = way_out(&self.mesh, self.kernel, self.cell_of[a.index()], [a, b], probe);
         for _ in 0..=self.mesh.cell_count() {
-            assert!(!self.constrained[crossed.index()], "segments of a noded PSLG do not cross");
-            probe.on(Event::EdgeCrossed);
             // From the lower end to the upper one, as seen from a.
-            self.crossing.push([self.mesh.destination(crossed), self.mesh.origin(crossed)]);
+            let ends = [self.mesh.destination(crossed), self.mesh.origin(crossed)];
+            if self.constrained[crossed.index()] {
+                return Err(Blocked::Crosses(ends));
+            }
+            probe.on(Event::EdgeCrossed);
+            self.crossing.push(ends);
             let h = self.mesh.twin(crossed);
             let x = self.mesh.apex(h);
             if x == b {
-                return;
+                return Ok(());
             }
             assert!(!x.is_ghost(), "a segment stays inside the hull");
             probe.on(Event::Orient);
             crossed = match self.kernel.orient(&[a, b, x]) {
                 Sign::Positive => self.mesh.next(h),
                 Sign::Negative => self.mesh.prev(h),
-                Sign::Zero => panic!("no site is inside a subsegment, but {x:?} is"),
+                Sign::Zero => return Err(Blocked::Through(x)),
             };
         }
         panic!("a segment leaves each triangle once");
     }
 
     fn remove_crossing(&mut self, [a, b]: Ends, probe: &mut impl Probe) {
-        self.made.clear();
         let bound = self.crossing.len() * self.crossing.len();
         let mut flips = 0;
         while !self.crossing.is_empty() {

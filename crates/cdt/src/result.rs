@@ -16,6 +16,10 @@ impl Cdt {
         Self { mesh, constrained }
     }
 
+    pub(crate) fn into_parts(self) -> (Mesh<2>, Vec<bool>) {
+        (self.mesh, self.constrained)
+    }
+
     /// The mesh; vertex `i` is site `i`. Of dimension 1 or less if all sites are in line.
     #[must_use]
     pub const fn mesh(&self) -> &Mesh<2> {

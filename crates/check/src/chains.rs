@@ -72,15 +72,26 @@ fn by_direction<I: Integer>(space: &Space<'_, 2, I>, v: u32, a: u32, b: u32) -> 
     })
 }
 
-/// K2: marks every edge on a segment with the number of the first such segment.
+/// The segments over an edge.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Cover {
+    /// The first of them.
+    pub(crate) first: Option<usize>,
+    /// How many there are.
+    pub(crate) times: i64,
+    /// Those that run from the smaller vertex to the larger, less those that run back.
+    pub(crate) net: i64,
+}
+
+/// K2: the segments over each edge.
 pub(crate) fn cover<I: Integer>(
     t: &Triangulation<'_, 2, I>,
     edges: &mut Edges,
     segments: &[[u32; 2]],
     report: &mut Report,
-) -> Vec<Option<usize>> {
+) -> Vec<Cover> {
     let points = t.space.points;
-    let mut covered = vec![None; edges.list.len()];
+    let mut covered = vec![Cover::default(); edges.list.len()];
     for (segment, ends) in segments.iter().enumerate() {
         if let Some(&id) = ends.iter().find(|&&v| v as usize >= points.len()) {
             report.fault(Fault::SegmentOutOfRange { segment, id, points: points.len() });
@@ -99,7 +110,9 @@ pub(crate) fn cover<I: Integer>(
                 report.fault(Fault::BrokenSegment { segment, ends, stuck });
                 break;
             };
-            covered[edge].get_or_insert(segment);
+            covered[edge].first.get_or_insert(segment);
+            covered[edge].times += 1;
+            covered[edge].net += if at < next { 1 } else { -1 };
             at = next;
         }
     }
@@ -111,7 +124,7 @@ pub(crate) fn cover<I: Integer>(
 pub(crate) fn check_flags(
     points: &[[f64; 2]],
     edges: &Edges,
-    covered: &[Option<usize>],
+    covered: &[Cover],
     flags: &[[u32; 2]],
     report: &mut Report,
 ) {
@@ -124,7 +137,7 @@ pub(crate) fn check_flags(
     }
     for (number, ends) in edges.list.iter().enumerate() {
         let edge = || witnesses(points, ends);
-        match (covered[number], flagged[number]) {
+        match (covered[number].first, flagged[number]) {
             (Some(segment), false) => report.fault(Fault::MissingFlag { edge: edge(), segment }),
             (None, true) => report.fault(Fault::ExtraFlag { edge: edge() }),
             (Some(_), true) | (None, false) => {}

@@ -82,7 +82,7 @@ fn judge<I: Integer>(
     let keeps = report.is_clean();
     report.check_given(tiles, "D2: locally delaunay across every edge on no segment", |report| {
         // In dimension 2 the edges are the facets, in the same order.
-        let exempt = |number: usize| t.dimension == 2 && covered[number].is_some();
+        let exempt = |number: usize| t.dimension == 2 && covered[number].first.is_some();
         if t.dimension > 0 {
             check_local(&t, &facets, exempt, options.ties, report);
         }

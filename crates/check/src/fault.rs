@@ -81,6 +81,10 @@ pub enum Fault {
     ExtraFlag { edge: Simplex },
     /// What is flagged as constrained is not an edge.
     FlagNotEdge { ends: [u32; 2] },
+    /// Two cells with no segment between them (or one cell, and the outside) are on different sides of the fill.
+    FillLeaks { edge: Simplex },
+    /// A cell is inside and should not be, or the other way.
+    WrongSide { cell: Simplex, inside: bool },
     /// A cell has the ghost vertex twice.
     TwoGhosts { cell: usize },
     /// A twin is not the number of a facet.
@@ -132,6 +136,8 @@ impl Fault {
             Self::MissingFlag { .. } => "missing-flag",
             Self::ExtraFlag { .. } => "extra-flag",
             Self::FlagNotEdge { .. } => "flag-not-edge",
+            Self::FillLeaks { .. } => "fill-leaks",
+            Self::WrongSide { .. } => "wrong-side",
             Self::TwoGhosts { .. } => "two-ghosts",
             Self::TwinOutOfRange { .. } => "twin-out-of-range",
             Self::TwinNotMutual { .. } => "twin-not-mutual",

@@ -28,6 +28,8 @@
 //! | [`judge_delaunay`] | Delaunay in any dimension, or in a flat | sorts, O(1) signs per facet |
 //! | [`judge_regular`] | regular, with weights, in any dimension | the same, plus cells times hidden points |
 //! | [`judge_constrained`] | constrained Delaunay in the plane | the same, plus all chains |
+//! | [`judge_arranged`] | the same where segments cross, crossings being vertices | sorts, big ratios |
+//! | [`judge_fill`] | what is inside, by a rule | a ray for each region |
 //! | [`judge_links`] | the twins and ghosts of a mesh | sorting |
 //! | [`naive`] | answers by definition, for tests | polynomial of high degree |
 //!
@@ -50,6 +52,7 @@
 //! **Modules.** `exact` numbers, `space` predicates, `facets` pairing, `sites` T8, `cells` T1 T2,
 //! `triangulation` T3 T6 T7, `hull` T5 and the ray, `local` D2, `regular` hidden points, `chains` K2 K3 K4, `links` T4.
 
+mod arranged;
 mod cells;
 mod chains;
 mod constrained;
@@ -57,6 +60,7 @@ mod delaunay;
 mod exact;
 mod facets;
 mod fault;
+mod fill;
 mod hull;
 mod links;
 mod local;
@@ -70,10 +74,12 @@ mod testing;
 mod triangulation;
 mod verdict;
 
+pub use arranged::{Arranged, judge_arranged};
 pub use cells::Complex;
 pub use constrained::judge_constrained;
 pub use delaunay::judge_delaunay;
 pub use fault::{Fault, Simplex, Witness};
+pub use fill::{FillRule, judge_fill};
 pub use links::{Links, judge_links};
 pub use options::{Backend, Options, Orientation, Ties};
 pub use regular::judge_regular;

@@ -21,6 +21,8 @@
 //! | module | draws | when |
 //! |---|---|---|
 //! | [`Picture`] | a planar triangulation as SVG, numbered if asked | up to some 10,000 edges, papers, rustdoc |
+//! | [`Exploded`] | its triangles moved apart | complexes of a few cells |
+//! | [`panels()`] | several pictures on one sheet | before and after |
 //! | [`Solid`] | a tetrahedral mesh as SVG: shaded boundary, wires inside | up to some 10,000 facets |
 //! | [`Report`] | paragraphs, sortable tables, figures; a figure of more than [`SVG_EDGES_MAX`] edges becomes a canvas with pan and zoom | `compare`, benchmarks |
 //!
@@ -44,4 +46,4 @@ mod text;
 
 pub use html::{Anchor, Cell, Report, SVG_EDGES_MAX, Table, Tone};
 pub use solid::Solid;
-pub use svg::{Aspect, Dots, Picture, Style};
+pub use svg::{Aspect, Dots, Exploded, Picture, Style, panels};

@@ -3,13 +3,17 @@
 //! Colours and strokes are presentation attributes, so the file looks right in any viewer; every group has a class too, by
 //! which a report's style sheet recolours it for a dark scheme.
 
+mod exploded;
 mod layers;
 mod layout;
+mod panels;
 
 use crate::frame::Frame;
 use crate::text::{Escaped, Short};
+pub use exploded::Exploded;
 use layers::Layers;
 pub(crate) use layout::Layout;
+pub use panels::panels;
 use std::fmt::Write;
 use std::io;
 
@@ -26,6 +30,8 @@ pub struct Picture<'a> {
     pub highlights: &'a [[u32; 2]],
     /// Vertices to point at, in red.
     pub marked: &'a [u32],
+    /// The number written at each vertex, if not its index.
+    pub names: &'a [u32],
     /// One class for each triangle: 0 is left empty, others take turns in a palette of eight.
     pub classes: &'a [u32],
 }
@@ -37,6 +43,8 @@ pub struct Style {
     pub size: f64,
     /// Whether vertices and triangles carry their indices.
     pub numbered: bool,
+    /// Whether edges carry their indices too, in the order of their ends.
+    pub edges_numbered: bool,
     /// Which vertices get a dot.
     pub dots: Dots,
     /// Whether the axes share a scale.
@@ -52,6 +60,7 @@ impl Default for Style {
         Self {
             size: 800.0,
             numbered: false,
+            edges_numbered: false,
             dots: Dots::Few,
             aspect: Aspect::Auto,
             circumcircles: false,

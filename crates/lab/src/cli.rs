@@ -34,6 +34,9 @@ pub(crate) enum Command {
     Delaunay(Triangulate),
     /// Constrained Delaunay triangulation of a planar straight-line graph
     Cdt(Cdt),
+    /// Triangulate the inside of a soup of boundary edges, holes unknown
+    #[command(name = "triangulate2d")]
+    Triangulate2d(Triangulate2d),
     /// Judge any triangulation of an input, also another program's
     Check(Check),
     /// Generate a workload
@@ -83,12 +86,64 @@ pub(crate) struct Cdt {
     /// What to do with segments that cross
     #[arg(long, value_enum, default_value_t = Crossings::Reject)]
     pub(crate) crossings: Crossings,
+    /// Refuse also what would be repaired: equal points, points inside segments, overlaps, repeats, segments of no length
+    #[arg(long, conflicts_with = "crossings")]
+    pub(crate) strict: bool,
+    /// What is inside; files and pictures then hold the inside alone
+    #[arg(long, value_enum, default_value_t = Fill::None)]
+    pub(crate) fill: Fill,
+}
+
+#[derive(Args)]
+pub(crate) struct Triangulate2d {
+    #[command(flatten)]
+    pub(crate) source: Source,
+    /// What is inside
+    #[arg(long, value_enum, default_value_t = Fill::Nesting)]
+    pub(crate) fill: Fill,
+    /// What to do with segments that cross
+    #[arg(long, value_enum, default_value_t = Crossings::Split)]
+    pub(crate) crossings: Crossings,
+    /// Write the result, in the format of the ending; .lar.json holds (V, [EV, FV]), .poly the input with a point in each hole
+    #[arg(short, long = "output", value_name = "OUT")]
+    pub(crate) outputs: Vec<PathBuf>,
+    /// Write the boundary operators as NAME.1.mtx and NAME.2.mtx (Matrix Market)
+    #[arg(long, value_name = "NAME")]
+    pub(crate) operators: Option<PathBuf>,
+    /// Draw the result, one colour for each region
+    #[arg(long, value_name = "FILE")]
+    pub(crate) svg: Option<PathBuf>,
+    /// Number vertices and triangles in the drawing
+    #[arg(long)]
+    pub(crate) numbered: bool,
+    #[command(flatten)]
+    pub(crate) voice: Voice,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Fill {
+    /// The whole convex hull
+    None,
+    /// What an odd number of segments separates from infinity
+    EvenOdd,
+    /// What the directed segments wind around
+    Nonzero,
+    /// What they wind around counter-clockwise
+    Positive,
+    /// What lies at odd depth, each segment counted once
+    Nesting,
+    /// Everything that infinity does not reach
+    Exterior,
+    /// That, less the regions of the file's holes
+    Seeds,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Crossings {
     /// List every crossing and stop
     Reject,
+    /// Make each crossing a vertex, exactly
+    Split,
 }
 
 /// How to run an algorithm.
@@ -256,6 +311,16 @@ pub(crate) struct Draw {
     /// Number vertices and triangles
     #[arg(long)]
     pub(crate) numbered: bool,
+    /// Number edges
+    #[arg(long)]
+    pub(crate) edges: bool,
+    /// Move the triangles apart: their distances from the middle, times this
+    #[arg(long, value_name = "FACTOR")]
+    pub(crate) explode: Option<f64>,
+    /// Three panels: the input, its Delaunay triangulation (missing segments in red), its constrained Delaunay triangulation
+    /// (edges that are not Delaunay in red)
+    #[arg(long, conflicts_with_all = ["bare", "explode"])]
+    pub(crate) panels: bool,
     /// Draw circumcircles
     #[arg(long)]
     pub(crate) circumcircles: bool,

@@ -7,6 +7,7 @@ mod draw;
 mod generate;
 mod meta;
 mod triangulate;
+mod triangulate2d;
 
 use crate::cli::Command;
 use crate::failure::Failure;
@@ -17,6 +18,7 @@ pub(crate) fn run(command: &Command) -> Result<(), Failure> {
         Command::Compare(arguments) => compare::compare(arguments),
         Command::Delaunay(arguments) => triangulate::delaunay(arguments),
         Command::Cdt(arguments) => triangulate::cdt(arguments),
+        Command::Triangulate2d(arguments) => triangulate2d::triangulate2d(arguments),
         Command::Check(arguments) => check::check(arguments),
         Command::Gen(arguments) => generate::generate(arguments),
         Command::Convert(arguments) => convert::convert(arguments),

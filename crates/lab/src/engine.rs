@@ -2,12 +2,13 @@
 
 use std::time::Instant;
 
-use delone_cdt::Cdt;
+use delone_cdt::{Cdt, Domain, Fill, FillError};
 use delone_check::Verdict;
 use delone_delaunay::{Delaunay, Fingerprint, KernelKind, Options, Order};
 use delone_formats::Document;
 use delone_mesh::Mesh;
 use delone_probe::Probe;
+use delone_sites::Arrangement;
 
 use crate::cli;
 use crate::failure::Failure;
@@ -54,9 +55,9 @@ pub(crate) fn names(subject: &Subject) -> Vec<&'static str> {
     match &subject.body {
         Body::Plane(sites) => delaunay::<2>(sites.len()),
         Body::Space(sites) => delaunay::<3>(sites.len()),
-        Body::Graph(pslg) => {
+        Body::Graph(_) | Body::Crossed(_) => {
             let rows = delone_cdt::algorithms();
-            let fits = |row: &&delone_cdt::Algorithm| pslg.sites().len() <= row.sites_max;
+            let fits = |row: &&delone_cdt::Algorithm| subject.vertex_count() <= row.sites_max;
             rows.iter().filter(fits).map(|row| row.name).collect()
         }
     }
@@ -110,7 +111,21 @@ pub(crate) fn run(
         Body::Plane(sites) => run!(delone_delaunay::algorithms::<2>(), sites, Triangulation::Plane),
         Body::Space(sites) => run!(delone_delaunay::algorithms::<3>(), sites, Triangulation::Space),
         Body::Graph(pslg) => run!(delone_cdt::algorithms(), pslg, Triangulation::Constrained),
+        Body::Crossed(graph) => run_crossed(graph, name, probe),
     }
+}
+
+/// Runs a CDT algorithm under the arrangement's own kernel.
+fn run_crossed(graph: &Arrangement, name: &str, probe: Option<&mut dyn Probe>) -> Built {
+    let algorithm = delone_cdt::algorithms().into_iter().find(|algorithm| algorithm.name == name);
+    let algorithm = algorithm.expect("the name was chosen from these");
+    let start = Instant::now();
+    let result = match probe {
+        None => (algorithm.run_crossed)(graph, &mut ()),
+        Some(probe) => (algorithm.run_crossed)(graph, probe),
+    };
+    let seconds = start.elapsed().as_secs_f64();
+    Built { seconds, triangulation: Triangulation::Constrained(result) }
 }
 
 /// Counts that results print.
@@ -128,7 +143,7 @@ fn sizes_of<const D: usize>(mesh: &Mesh<D>, vertices: usize) -> Sizes {
 
 impl Triangulation {
     pub(crate) fn sizes(&self, subject: &Subject) -> Sizes {
-        let vertices = subject.site_count();
+        let vertices = subject.vertex_count();
         match self {
             Self::Plane(result) => sizes_of(result.mesh(), vertices),
             Self::Space(result) => sizes_of(result.mesh(), vertices),
@@ -141,6 +156,7 @@ impl Triangulation {
             (Self::Plane(result), Body::Plane(sites)) => result.fingerprint(sites),
             (Self::Space(result), Body::Space(sites)) => result.fingerprint(sites),
             (Self::Constrained(result), Body::Graph(pslg)) => result.fingerprint(pslg),
+            (Self::Constrained(result), Body::Crossed(graph)) => result.fingerprint(graph),
             _ => unreachable!("a result belongs to its subject"),
         }
     }
@@ -150,13 +166,14 @@ impl Triangulation {
             (Self::Plane(result), Body::Plane(sites)) => judge::delaunay(sites, result),
             (Self::Space(result), Body::Space(sites)) => judge::delaunay(sites, result),
             (Self::Constrained(result), Body::Graph(pslg)) => judge::cdt(pslg, result),
+            (Self::Constrained(result), Body::Crossed(graph)) => judge::arranged(graph, result),
             _ => unreachable!("a result belongs to its subject"),
         }
     }
 
     /// The solid cells as input points, flat, and how many make a cell.
     pub(crate) fn cells(&self, subject: &Subject) -> (Vec<u32>, usize) {
-        let input_of = subject.input_of();
+        let names = subject.names();
         let (ids, count) = match self {
             Self::Plane(result) => (judge::solid_ids(result.mesh()), result.mesh().corner_count()),
             Self::Space(result) => (judge::solid_ids(result.mesh()), result.mesh().corner_count()),
@@ -164,25 +181,45 @@ impl Triangulation {
                 (judge::solid_ids(result.mesh()), result.mesh().corner_count())
             }
         };
-        (ids.into_iter().map(|site| input_of[site as usize]).collect(), count)
+        (ids.into_iter().map(|site| names[site as usize]).collect(), count)
     }
 
     /// The constrained edges as input points.
     pub(crate) fn constrained(&self, subject: &Subject) -> Vec<[u32; 2]> {
-        let input_of = subject.input_of();
+        let names = subject.names();
         match self {
             Self::Constrained(result) => result
                 .constrained_edges()
                 .into_iter()
-                .map(|edge| edge.map(|site| input_of[site as usize]))
+                .map(|edge| edge.map(|site| names[site as usize]))
                 .collect(),
             _ => Vec::new(),
+        }
+    }
+
+    /// What a rule says is inside, if this is a CDT.
+    pub(crate) fn domain(&self, subject: &Subject, fill: &Fill) -> Result<Domain, FillError> {
+        match (self, &subject.body) {
+            (Self::Constrained(cdt), Body::Graph(pslg)) => Domain::new(cdt, pslg, fill),
+            (Self::Constrained(cdt), Body::Crossed(graph)) => Domain::new(cdt, graph, fill),
+            _ => unreachable!("only graphs are filled"),
+        }
+    }
+
+    /// Takes the triangles that are outside out of this result's document.
+    pub(crate) fn keep_inside(&self, domain: &Domain, document: &mut Document) {
+        if let Self::Constrained(cdt) = self {
+            let mut cells = cdt.cells();
+            document.triangles.retain(|_| {
+                cells.next().is_some_and(|cell| domain.is_inside(domain.regions().of_cell(cell)))
+            });
         }
     }
 
     /// The input with the cells as faces, and the constrained edges as segments.
     pub(crate) fn document(&self, subject: &Subject) -> Document {
         let mut document = subject.document.clone();
+        document.points.extend(subject.added().as_flattened());
         document.segments = self.constrained(subject);
         document.segment_markers.clear();
         (document.triangles, document.tets, document.polygons) = Default::default();

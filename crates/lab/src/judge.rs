@@ -2,11 +2,12 @@
 
 use delone_cdt::Cdt;
 use delone_check::{
-    Complex, Links, Options, Verdict, judge_constrained, judge_delaunay, judge_links,
+    Arranged, Complex, Links, Options, Verdict, judge_arranged, judge_constrained, judge_delaunay,
+    judge_links,
 };
 use delone_delaunay::Delaunay;
 use delone_mesh::Mesh;
-use delone_sites::{Pslg, Sites};
+use delone_sites::{Arrangement, Noded, Pslg, Sites};
 
 /// The solid cells as ids of vertices, as the mesh has them.
 pub(crate) fn solid_ids<const D: usize>(mesh: &Mesh<D>) -> Vec<u32> {
@@ -39,6 +40,38 @@ pub(crate) fn cdt(pslg: &Pslg, result: &Cdt) -> Verdict {
     joined(links(mesh), judge_constrained(&complex, pslg.segments(), &flags, &Options::default()))
 }
 
+/// Judges the CDT of an arrangement, crossings and all, in exact ratios.
+pub(crate) fn arranged(graph: &Arrangement, result: &Cdt) -> Verdict {
+    let mesh = result.mesh();
+    let cells = solid_ids(mesh);
+    let (points, flags) = (graph.sites().points(), result.constrained_edges());
+    let verdict = if graph.crossings().is_empty() {
+        let complex = Complex { points, dimension: mesh.dimension(), cells: &cells };
+        judge_constrained(&complex, graph.segments(), &flags, &Options::default())
+    } else {
+        let arranged = Arranged {
+            points,
+            crossings: graph.crossings(),
+            cells: &cells,
+            segments: graph.segments(),
+            constrained: &flags,
+        };
+        judge_arranged(&arranged, &Options::default())
+    };
+    joined(links(mesh), verdict)
+}
+
+/// Judges the same with each vertex at the nearest doubles: whether rounding keeps it a triangulation of the hull with all
+/// pieces as edges. That it is still Delaunay is not asked.
+pub(crate) fn rounded(graph: &Arrangement, result: &Cdt) -> bool {
+    let mesh = result.mesh();
+    let cells = solid_ids(mesh);
+    let complex = Complex { points: graph.positions(), dimension: mesh.dimension(), cells: &cells };
+    let verdict = judge_constrained(&complex, &[], &[], &Options::default());
+    let is_geometry = |kind: &&&str| !matches!(**kind, "not-delaunay" | "wrong-tie");
+    verdict.counts.keys().filter(is_geometry).count() == 0
+}
+
 /// Judges twins and ghosts.
 fn links<const D: usize>(mesh: &Mesh<D>) -> Verdict {
     let ghost = u32::MAX;
@@ -54,6 +87,14 @@ fn links<const D: usize>(mesh: &Mesh<D>) -> Verdict {
         &Links { dimension, vertices: &vertices, twins: &twins, ghost },
         &Options::default(),
     )
+}
+
+/// The verdict on a CDT and that on its fill; the level is that of the CDT.
+pub(crate) fn with_fill(cdt: Verdict, fill: Verdict) -> Verdict {
+    let (level, ties, duplicates) = (cdt.level, cdt.ties, cdt.duplicates);
+    let claims = fill.proved.iter().filter(|claim| claim.starts_with('F')).cloned().collect();
+    let fill = Verdict { proved: claims, ..fill };
+    Verdict { level, ties, duplicates, ..joined(cdt, fill) }
 }
 
 /// Both verdicts; the level is that of the second.

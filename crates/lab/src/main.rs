@@ -9,6 +9,7 @@ mod cli;
 mod commands;
 mod engine;
 mod failure;
+mod fill;
 mod input;
 mod judge;
 mod output;

@@ -1,6 +1,7 @@
 //! Pictures of subjects and their triangulations.
 
 use delone_draw::{Picture, Solid, Style};
+use delone_formats::Document;
 
 use crate::engine::Triangulation;
 use crate::subject::Subject;
@@ -12,6 +13,8 @@ pub(crate) struct Drawing {
     triangles: Vec<[u32; 3]>,
     tets: Vec<[u32; 4]>,
     segments: Vec<[u32; 2]>,
+    /// The colour of each triangle of the plane, or none.
+    pub(crate) classes: Vec<u32>,
     /// Faces of a subject in space.
     facets: Vec<[u32; 3]>,
 }
@@ -20,7 +23,11 @@ impl Drawing {
     /// The input alone, or with its triangulation.
     pub(crate) fn of(subject: &Subject, triangulation: Option<&Triangulation>) -> Self {
         let document = triangulation.map(|result| result.document(subject));
-        let document = document.as_ref().unwrap_or(&subject.document);
+        Self::of_document(document.as_ref().unwrap_or(&subject.document))
+    }
+
+    /// A document as it is.
+    pub(crate) fn of_document(document: &Document) -> Self {
         let is_space = document.dimension == 3;
         Self {
             points: if is_space { Vec::new() } else { document.points.as_chunks::<2>().0.to_vec() },
@@ -29,6 +36,7 @@ impl Drawing {
             facets: if is_space { document.triangles.clone() } else { Vec::new() },
             tets: document.tets.clone(),
             segments: document.segments.clone(),
+            classes: Vec::new(),
         }
     }
 
@@ -41,6 +49,7 @@ impl Drawing {
             points: &self.points,
             triangles: &self.triangles,
             segments: &self.segments,
+            classes: &self.classes,
             ..Picture::default()
         }
     }

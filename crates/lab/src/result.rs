@@ -145,9 +145,14 @@ pub(crate) fn input(subject: &Subject) -> Value {
         "duplicates": subject.duplicate_count(),
         "segments": subject.document.segments.len(),
     });
-    if let Body::Graph(pslg) = &subject.body {
-        object["subsegments"] = json!(pslg.subsegments().len());
-        object["dropped_segments"] = json!(pslg.dropped());
+    let noded = match &subject.body {
+        Body::Graph(pslg) => Some((pslg.subsegments().len(), pslg.dropped())),
+        Body::Crossed(graph) => Some((graph.subsegments().len(), graph.dropped())),
+        Body::Plane(_) | Body::Space(_) => None,
+    };
+    if let Some((subsegments, dropped)) = noded {
+        object["subsegments"] = json!(subsegments);
+        object["dropped_segments"] = json!(dropped);
     }
     object
 }
@@ -157,8 +162,8 @@ pub(crate) fn describe(subject: &Subject) -> String {
     if subject.duplicate_count() > 0 {
         parts.push(format!("{} duplicates", grouped(subject.duplicate_count() as u64)));
     }
-    if let Body::Graph(pslg) = &subject.body {
-        parts.push(format!("{} segments", grouped(pslg.segments().len() as u64)));
+    if let Body::Graph(_) | Body::Crossed(_) = &subject.body {
+        parts.push(format!("{} segments", grouped(subject.document.segments.len() as u64)));
     }
     format!("{}: {}", subject.name(), parts.join(", "))
 }

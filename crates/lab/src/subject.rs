@@ -1,7 +1,7 @@
 //! A validated input: what an algorithm is run on, and in what terms its result is told.
 
 use delone_formats::Document;
-use delone_sites::{Pslg, Sites};
+use delone_sites::{Arrangement, Noded, Pslg, PslgError, Sites};
 use delone_workloads::{Input, Points};
 
 use crate::failure::Failure;
@@ -20,6 +20,8 @@ pub(crate) enum Body {
     Space(Sites<3>),
     /// Points and segments of the plane.
     Graph(Pslg),
+    /// Points and segments of the plane that may cross, cut there.
+    Crossed(Arrangement),
 }
 
 impl Subject {
@@ -46,12 +48,30 @@ impl Subject {
 
     /// Takes points and segments of the plane.
     pub(crate) fn graph(document: Document) -> Result<Self, Failure> {
+        Self::noded(document, Pslg::new, Body::Graph)
+    }
+
+    /// Takes points and segments of the plane that need no repair.
+    pub(crate) fn strict(document: Document) -> Result<Self, Failure> {
+        Self::noded(document, Pslg::strict, Body::Graph)
+    }
+
+    /// Takes points and segments of the plane that may cross.
+    pub(crate) fn crossed(document: Document) -> Result<Self, Failure> {
+        Self::noded(document, Arrangement::new, Body::Crossed)
+    }
+
+    fn noded<G>(
+        document: Document,
+        make: impl FnOnce(&[[f64; 2]], &[[usize; 2]]) -> Result<G, PslgError>,
+        body: impl FnOnce(G) -> Body,
+    ) -> Result<Self, Failure> {
         let points = document.points_2d().map_err(Failure::input)?;
         let segments: Vec<[usize; 2]> =
             document.segments.iter().map(|ends| ends.map(|end| end as usize)).collect();
-        let pslg = Pslg::new(&points, &segments);
-        let pslg = pslg.map_err(|error| refusal(&document, &error.to_string()))?;
-        Ok(Self { body: Body::Graph(pslg), document })
+        let graph = make(&points, &segments);
+        let graph = graph.map_err(|error| refusal(&document, &error.to_string()))?;
+        Ok(Self { body: body(graph), document })
     }
 
     /// An input to be drawn as it is; it is not validated, and nothing may be run on it.
@@ -74,6 +94,7 @@ impl Subject {
             Body::Plane(sites) => sites.len(),
             Body::Space(sites) => sites.len(),
             Body::Graph(pslg) => pslg.sites().len(),
+            Body::Crossed(graph) => graph.sites().len(),
         }
     }
 
@@ -82,15 +103,30 @@ impl Subject {
             Body::Plane(sites) => sites.duplicate_count(),
             Body::Space(sites) => sites.duplicate_count(),
             Body::Graph(pslg) => pslg.sites().duplicate_count(),
+            Body::Crossed(graph) => graph.sites().duplicate_count(),
         }
     }
 
-    /// The first input point of each site.
-    pub(crate) fn input_of(&self) -> &[u32] {
+    /// Sites, and crossings that became vertices.
+    pub(crate) fn vertex_count(&self) -> usize {
+        self.site_count() + self.added().len()
+    }
+
+    /// The positions, rounded, of the vertices that are no input points.
+    pub(crate) fn added(&self) -> &[[f64; 2]] {
         match &self.body {
-            Body::Plane(sites) => sites.input_of(),
-            Body::Space(sites) => sites.input_of(),
-            Body::Graph(pslg) => pslg.sites().input_of(),
+            Body::Crossed(graph) => &graph.positions()[graph.sites().len()..],
+            _ => &[],
+        }
+    }
+
+    /// The number of each vertex in a list of all input points followed by the vertices that are none.
+    pub(crate) fn names(&self) -> Vec<u32> {
+        match &self.body {
+            Body::Plane(sites) => sites.input_of().to_vec(),
+            Body::Space(sites) => sites.input_of().to_vec(),
+            Body::Graph(pslg) => pslg.names(),
+            Body::Crossed(graph) => graph.names(),
         }
     }
 }
@@ -111,7 +147,7 @@ pub(crate) fn document_of(name: &str, input: &Input) -> Document {
 }
 
 /// Every violation, under the input's name.
-fn refusal(document: &Document, violations: &str) -> Failure {
+pub(crate) fn refusal(document: &Document, violations: &str) -> Failure {
     let count = violations.lines().count();
     let lines: Vec<String> = violations.lines().map(|line| format!("  {line}")).collect();
     let noun = if count == 1 { "violation" } else { "violations" };

@@ -204,3 +204,126 @@ fn convert_says_what_is_lost() {
     let (status, svg, _) = run(folder.path(), &["draw", "kite.lar.json", "--numbered"]);
     assert!(status == 0 && roxmltree::Document::parse(&svg).is_ok());
 }
+
+/// A square of side 4 with a square hole of side 2, as LAR.
+const HOLED: &str = "{\"V\":[[0,0],[4,0],[4,4],[0,4],[1,1],[3,1],[3,3],[1,3]],\
+    \"EV\":[[0,1],[1,2],[2,3],[3,0],[4,5],[5,6],[6,7],[7,4]]}";
+
+fn json_of(folder: &Path, words: &[&str]) -> Value {
+    let (status, out, error) = run(folder, words);
+    assert_eq!(status, 0, "{words:?}: {error}");
+    serde_json::from_str(&out).unwrap()
+}
+
+#[test]
+fn a_soup_with_a_hole_becomes_a_complex_with_a_hole() {
+    let folder = folder();
+    std::fs::write(folder.path().join("holed.lar.json"), HOLED).unwrap();
+    let words = [
+        "triangulate2d",
+        "holed.lar.json",
+        "--json",
+        "-o",
+        "out.lar.json",
+        "-o",
+        "out.poly",
+        "--operators",
+        "d",
+        "--svg",
+        "out.svg",
+    ];
+    let object = json_of(folder.path(), &words);
+    assert_eq!(object["schema"], "delone.triangulate2d/1");
+    assert_eq!((&object["fill"], &object["area_exact"]), (&"nesting".into(), &"12".into()));
+    assert_eq!((&object["edges"], &object["triangles"]), (&16.into(), &8.into()));
+    assert_eq!(object["betti"], serde_json::json!([1, 1, 0]));
+    assert_eq!(object["certificate"]["holds"], true);
+    let read = |name: &str| std::fs::read_to_string(folder.path().join(name)).unwrap();
+    let lar: Value = serde_json::from_str(&read("out.lar.json")).unwrap();
+    let lengths = ["V", "EV", "FV"].map(|key| lar[key].as_array().unwrap().len());
+    assert_eq!(lengths, [8, 16, 8]);
+    assert!(read("d.1.mtx").contains("\n8 16 32\n") && read("d.2.mtx").contains("\n16 8 24\n"));
+    assert!(roxmltree::Document::parse(&read("out.svg")).is_ok());
+    // The hole's point, as a seed, gives the same.
+    let words = ["cdt", "out.poly", "--fill", "seeds", "--json", "--check", "-o", "kept.ele"];
+    let object = json_of(folder.path(), &words);
+    assert_eq!((&object["area_exact"], &object["check"]["ok"]), (&"12".into(), &true.into()));
+    assert_eq!(read("kept.ele").lines().filter(|line| !line.starts_with('#')).count(), 9);
+}
+
+#[test]
+fn fills_are_judged_and_refusals_named() {
+    let folder = folder();
+    std::fs::write(folder.path().join("holed.lar.json"), HOLED).unwrap();
+    for (fill, area) in [("none", "16"), ("even-odd", "12"), ("nonzero", "16"), ("exterior", "16")]
+    {
+        let words = ["cdt", "holed.lar.json", "--fill", fill, "--json", "--check"];
+        let object = json_of(folder.path(), &words);
+        assert_eq!(
+            (&object["area_exact"], &object["check"]["ok"]),
+            (&area.into(), &true.into()),
+            "{fill}"
+        );
+        assert_eq!(object["regions"].as_array().unwrap().len(), 2);
+        let proved = object["check"]["proved"].to_string();
+        assert_eq!(proved.contains("F2: each region"), fill != "none", "{proved}");
+    }
+    let open = HOLED.replace(",[7,4]]}", "]}");
+    std::fs::write(folder.path().join("open.lar.json"), open.replace("[3,0],", "[3,0],[0,2],"))
+        .unwrap();
+    let (status, out, error) = run(folder.path(), &["cdt", "open.lar.json", "--fill", "even-odd"]);
+    assert_eq!((status, out.as_str()), (2, ""));
+    assert!(error.contains("3 segments end at point 0 (0, 0)"), "{error}");
+    std::fs::write(folder.path().join("strict.lar.json"), HOLED.replace("]]}", "],[1,0]]}"))
+        .unwrap();
+    assert_eq!(run(folder.path(), &["cdt", "strict.lar.json"]).0, 0);
+    let (status, _, error) = run(folder.path(), &["cdt", "strict.lar.json", "--strict"]);
+    assert_eq!(status, 2);
+    assert!(error.contains("segments 0 and 8 are the same"), "{error}");
+}
+
+#[test]
+fn crossings_become_vertices() {
+    let folder = folder();
+    std::fs::write(folder.path().join("cross.poly"), CROSS).unwrap();
+    let mut prints = Vec::new();
+    for algorithm in ["cavity", "chew", "flips", "naive"] {
+        let words = [
+            "cdt",
+            "cross.poly",
+            "--crossings",
+            "split",
+            "--check",
+            "--json",
+            "--algorithm",
+            algorithm,
+        ];
+        let object = json_of(folder.path(), &words);
+        assert_eq!(
+            (&object["steiner"], &object["vertices"], &object["cells"]),
+            (&1.into(), &5.into(), &4.into())
+        );
+        assert_eq!(object["check"]["level"], "constrained delaunay");
+        assert_eq!(object["rounding_keeps_validity"], true);
+        prints.push(object["fingerprint"].clone());
+    }
+    assert!(prints.windows(2).all(|pair| pair[0] == pair[1]));
+}
+
+#[test]
+fn figures_are_drawn() {
+    let folder = folder();
+    std::fs::write(folder.path().join("kite.poly"), KITE).unwrap();
+    for words in [
+        &["draw", "kite.poly", "--panels"][..],
+        &["draw", "kite.poly", "--explode", "1.5", "--numbered", "--edges"],
+    ] {
+        let (status, svg, error) = run(folder.path(), words);
+        assert_eq!(status, 0, "{error}");
+        assert!(roxmltree::Document::parse(&svg).is_ok());
+        let panels = svg.contains("Delaunay: 1 of 1 subsegments missing")
+            && svg.contains("1 edges not Delaunay");
+        assert_eq!(panels, words.contains(&"--panels"));
+    }
+    assert_eq!(run(folder.path(), &["draw", "kite.poly", "--explode", "nan"]).0, 2);
+}

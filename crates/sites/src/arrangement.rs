@@ -46,7 +46,8 @@ pub struct Arrangement {
     subsegments: Vec<[u32; 2]>,
     chains: Vec<Vec<u32>>,
     dropped: Vec<u32>,
-    crossings: usize,
+    pairs: usize,
+    crossings: Vec<[u32; 4]>,
 }
 
 impl Arrangement {
@@ -60,7 +61,7 @@ impl Arrangement {
 
     fn of(pslg: Pslg) -> Self {
         let pairs = pslg.crossing_pieces();
-        let (kernel, vertex_of) = constructed(&pslg, &pairs);
+        let (kernel, vertex_of, crossings) = constructed(&pslg, &pairs);
         let count = u32::try_from(kernel.len()).expect("vertices are fewer than ids");
         let mut sorted: Vec<u32> = (0..count).collect();
         sorted.sort_by(|&u, &v| kernel.compare_lexicographic(u as usize, v as usize));
@@ -75,8 +76,8 @@ impl Arrangement {
         let (subsegments, parts) = cut(&pslg, on_piece, &ranks);
         let chains = chains(&pslg, &parts, &subsegments);
         let Pslg { sites, segments, dropped, .. } = pslg;
-        let crossings = pairs.len();
-        Self { sites, kernel, sorted, segments, subsegments, chains, dropped, crossings }
+        let pairs = pairs.len();
+        Self { sites, kernel, sorted, segments, subsegments, chains, dropped, pairs, crossings }
     }
 
     /// The sites: vertices 0 to `sites().len() - 1`. The others are crossings.
@@ -124,32 +125,42 @@ impl Arrangement {
     /// How many pairs of pieces cross; several pairs may cross in one vertex.
     #[must_use]
     pub fn crossing_count(&self) -> usize {
-        self.crossings
+        self.pairs
+    }
+
+    /// For each vertex after the sites, the sites that define it: the line of the first two crosses that of the last two.
+    #[must_use]
+    pub fn crossings(&self) -> &[[u32; 4]] {
+        &self.crossings
     }
 }
 
-/// The sites and the distinct crossings, these in lexicographic order; and the vertex of each pair.
-fn constructed(pslg: &Pslg, pairs: &[[u32; 2]]) -> (Constructed<2>, Vec<u32>) {
-    let construction = |&[piece, other]: &[u32; 2]| {
+/// The sites and the distinct crossings, these in lexicographic order; the vertex of each pair; the sites that define each
+/// crossing.
+fn constructed(pslg: &Pslg, pairs: &[[u32; 2]]) -> (Constructed<2>, Vec<u32>, Vec<[u32; 4]>) {
+    let ends = |&[piece, other]: &[u32; 2]| {
         let [[a, b], [c, d]] = [piece, other].map(|piece| pslg.subsegments[piece as usize]);
-        Construction::Crossing { a, b, c, d }
+        [a, b, c, d]
     };
-    let push = |kernel: &mut Constructed<2>, pair: &[u32; 2]| {
-        kernel.push(&construction(pair)).expect("pieces that cross are not parallel")
+    let push = |kernel: &mut Constructed<2>, [a, b, c, d]: [u32; 4]| {
+        let crossing = Construction::Crossing { a, b, c, d };
+        kernel.push(&crossing).expect("pieces that cross are not parallel")
     };
     let points = pslg.sites.points().to_vec();
     let mut all = Constructed::new(points.clone());
     let mut found: Vec<(u32, usize)> =
-        pairs.iter().enumerate().map(|(place, pair)| (push(&mut all, pair), place)).collect();
+        pairs.iter().enumerate().map(|(place, pair)| (push(&mut all, ends(pair)), place)).collect();
     let order = |u: u32, v: u32| all.compare_lexicographic(u as usize, v as usize);
     found.sort_by(|&(u, _), &(v, _)| order(u, v).then(u.cmp(&v)));
     let mut kernel = Constructed::new(points);
-    let mut vertex_of = vec![0; pairs.len()];
+    let (mut vertex_of, mut crossings) = (vec![0; pairs.len()], Vec::new());
     for equal in found.chunk_by(|&(u, _), &(v, _)| order(u, v).is_eq()) {
-        let vertex = push(&mut kernel, &pairs[equal[0].1]);
+        let defined = ends(&pairs[equal[0].1]);
+        let vertex = push(&mut kernel, defined);
+        crossings.push(defined);
         equal.iter().for_each(|&(_, place)| vertex_of[place] = vertex);
     }
-    (kernel, vertex_of)
+    (kernel, vertex_of, crossings)
 }
 
 /// All pieces cut at the vertices on them, sorted; and for each old piece the ends of its parts, from smaller to larger site.

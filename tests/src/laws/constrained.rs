@@ -1,15 +1,15 @@
 //! The laws of constrained Delaunay triangulations.
 
 use delone::Pslg;
-use delone::cdt::{Algorithm, Cdt, algorithms, cavity};
-use delone::check::naive;
+use delone::cdt::{Algorithm, Cdt, Domain, Fill, FillError, algorithms, cavity};
+use delone::check::{Complex, FillRule, judge_fill, naive};
 use delone::delaunay::{Options, delaunay};
 
 use super::delaunay::in_input_ids;
 use super::{Law, THOROUGH_MAX, all_options, scalings, symmetries, translations};
 use crate::case::Case;
 use crate::cells::delaunay_cells;
-use crate::judge::{Rigour, accept_constrained};
+use crate::judge::{Rigour, accept_constrained, solid_cells};
 
 /// Every law of planar straight-line graphs whose segments do not cross.
 #[must_use]
@@ -24,6 +24,7 @@ pub fn constrained_laws() -> Vec<Law<2>> {
         Law { name: "idempotence", hold: idempotence },
         Law { name: "euler", hold: euler },
         Law { name: "definition", hold: definition },
+        Law { name: "fill", hold: fill },
     ]
 }
 
@@ -138,4 +139,37 @@ fn definition(case: &Case<2>) -> usize {
     let found = in_input_ids(&result.canonical(), corners, pslg.sites().input_of());
     assert_eq!(found, naive::constrained(&case.points, &case.segments), "{}", case.name);
     1
+}
+
+/// What is inside by each rule is what the judge says; where there is no answer, an odd vertex or an unbalanced one is shown.
+fn fill(case: &Case<2>) -> usize {
+    let (pslg, result) = (case.pslg(), run(case));
+    if result.mesh().dimension() != Some(2) {
+        return 0;
+    }
+    let cells = solid_cells(result.mesh(), pslg.sites().input_of());
+    let complex = Complex { points: &case.points, dimension: Some(2), cells: &cells };
+    let rules = [
+        (Fill::EvenOdd, FillRule::EvenOdd),
+        (Fill::NonZero, FillRule::NonZero),
+        (Fill::Positive, FillRule::Positive),
+        (Fill::Nesting, FillRule::Nesting),
+        (Fill::Exterior, FillRule::Exterior),
+    ];
+    for (fill, rule) in &rules {
+        match Domain::new(&result, &pslg, fill) {
+            Ok(domain) => {
+                let is_inside = |cell| domain.is_inside(domain.regions().of_cell(cell));
+                let inside: Vec<bool> = result.cells().map(is_inside).collect();
+                let options = delone::check::Options::default();
+                let verdict = judge_fill(&complex, &case.segments, &inside, *rule, &options);
+                assert!(verdict.ok, "{}, {rule:?}: {verdict}", case.name);
+            }
+            Err(FillError::OddVertices(open) | FillError::Unbalanced(open)) => {
+                assert!(!open.is_empty(), "{}, {rule:?}", case.name);
+            }
+            Err(error) => panic!("{}, {rule:?}: {error}", case.name),
+        }
+    }
+    rules.len()
 }

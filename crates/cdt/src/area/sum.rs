@@ -72,7 +72,7 @@ fn id(v: usize) -> u32 {
 }
 
 /// The sum, by halves: so that long denominators meet late.
-fn total(mut terms: Vec<Area>) -> Area {
+pub(crate) fn total(mut terms: Vec<Area>) -> Area {
     while terms.len() > 1 {
         terms = terms
             .chunks(2)

@@ -47,7 +47,9 @@ impl Display for Fault {
             Self::BrokenSegment { .. }
             | Self::MissingFlag { .. }
             | Self::ExtraFlag { .. }
-            | Self::FlagNotEdge { .. } => fmt_constraints(self, f),
+            | Self::FlagNotEdge { .. }
+            | Self::FillLeaks { .. }
+            | Self::WrongSide { .. } => fmt_constraints(self, f),
             _ => fmt_geometry(self, f),
         }
     }
@@ -158,6 +160,15 @@ fn fmt_constraints(fault: &Fault, f: &mut Formatter<'_>) -> Result {
     match fault {
         Fault::BrokenSegment { segment, ends, stuck } => {
             write!(f, "no edge leads from {stuck} along segment {segment} = {}", List(ends))
+        }
+        Fault::FillLeaks { edge } => {
+            write!(f, "the fill changes across the edge {}, which is on no segment", List(edge))
+        }
+        Fault::WrongSide { cell, inside: true } => {
+            write!(f, "the cell {} is inside and should be outside", List(cell))
+        }
+        Fault::WrongSide { cell, inside: false } => {
+            write!(f, "the cell {} is outside and should be inside", List(cell))
         }
         Fault::MissingFlag { edge, segment } => write!(
             f,

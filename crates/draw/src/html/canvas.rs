@@ -14,7 +14,8 @@ pub(super) fn write(
     edges: &[[u32; 2]],
     style: &Style,
 ) {
-    let layout = Layout::of(picture, &Style { numbered: false, ..style.clone() });
+    let layout =
+        Layout::of(picture, &Style { numbered: false, edges_numbered: false, ..style.clone() });
     let [width, height] = layout.size;
     // Writing to a String cannot fail.
     let _ = write!(

@@ -32,6 +32,9 @@ impl<'a> Layers<'a> {
         lines(out, layout, self.picture.segments, "segment", "#123a7a", strong);
         lines(out, layout, self.picture.highlights, "highlight", "#d3222a", 1.3 * strong);
         self.dots(out);
+        if self.style.edges_numbered {
+            self.edge_numbers(out, &edges);
+        }
         if self.style.numbered {
             self.numbers(out);
         }
@@ -92,6 +95,24 @@ impl<'a> Layers<'a> {
         dots(out, marked.iter(), "marked", "#d3222a", 1.8 * r);
     }
 
+    /// Numbers of edges at their middles, with a halo of paper.
+    fn edge_numbers(&self, out: &mut String, edges: &[[u32; 2]]) {
+        let size = 0.8 * self.layout.font();
+        let _ = write!(
+            out,
+            "<g class=\"edgenumber\" font-size=\"{}\" fill=\"#2c7a4b\" stroke=\"#ffffff\" stroke-width=\"3\" \
+             paint-order=\"stroke\" text-anchor=\"middle\">",
+            Short(size)
+        );
+        for (i, &edge) in edges.iter().enumerate() {
+            if let [Some(p), Some(q)] = edge.map(|v| self.layout.place(v)) {
+                let (x, y) = (Short((p[0] + q[0]) / 2.0), Short((p[1] + q[1]) / 2.0 + 0.35 * size));
+                let _ = write!(out, "<text x=\"{x}\" y=\"{y}\">{i}</text>");
+            }
+        }
+        out.push_str("</g>");
+    }
+
     /// Numbers of triangles at their centroids, of vertices up and right of them with a halo of paper.
     fn numbers(&self, out: &mut String) {
         let size = self.layout.font();
@@ -120,7 +141,9 @@ impl<'a> Layers<'a> {
                 let (step, anchor) =
                     if near_edge { (-4.0, " text-anchor=\"end\"") } else { (4.0, "") };
                 let (x, y) = (Short(x + step), Short((y - 4.0).max(size)));
-                let _ = write!(out, "<text x=\"{x}\" y=\"{y}\"{anchor}>{i}</text>");
+                let given = self.picture.names.get(i).and_then(|&name| usize::try_from(name).ok());
+                let name = given.unwrap_or(i);
+                let _ = write!(out, "<text x=\"{x}\" y=\"{y}\"{anchor}>{name}</text>");
             }
         }
         out.push_str("</g>");

@@ -26,7 +26,7 @@ impl Layout {
     pub(crate) fn of(picture: &Picture<'_>, style: &Style) -> Self {
         let size = if style.size.is_finite() { style.size.clamp(60.0, 20_000.0) } else { 800.0 };
         let first = Self::sized(picture, style, size);
-        if !style.numbered || first.edge >= NUMBERED_EDGE {
+        if !(style.numbered || style.edges_numbered) || first.edge >= NUMBERED_EDGE {
             return first;
         }
         let grown = size * NUMBERED_EDGE / first.edge.max(1e-3);

@@ -130,3 +130,49 @@ fn the_same_picture_is_the_same_bytes() {
     square().write_svg(&numbered(), &mut out).unwrap();
     assert_eq!(out, square().svg(&numbered()).into_bytes());
 }
+
+#[test]
+fn edges_are_numbered_in_order() {
+    let svg = square().svg(&Style { edges_numbered: true, ..Style::default() });
+    assert_sane(&svg);
+    let document = Document::parse(&svg).unwrap();
+    let group = document.descendants().find(|n| n.attribute("class") == Some("edgenumber"));
+    let numbers: Vec<&str> = group.unwrap().children().filter_map(|n| n.text()).collect();
+    assert_eq!(numbers, ["0", "1", "2", "3", "4"]);
+}
+
+#[test]
+fn exploded_triangles_share_nothing() {
+    let exploded = super::Exploded::new(&square(), 1.5);
+    let picture = exploded.picture();
+    assert_eq!(
+        (picture.points.len(), picture.triangles, picture.segments.len()),
+        (6, &[[0, 1, 2], [3, 4, 5]][..], 2)
+    );
+    // The diagonal is there twice, apart by half of the distance of the centroids, which is (1/3, -1/3).
+    let [p, q] = [picture.segments[0], picture.segments[1]].map(|ends| {
+        let [p, q] = ends.map(|v| picture.points[v as usize]);
+        [p[0] + q[0], p[1] + q[1]].map(|x| x / 2.0)
+    });
+    let gap = [p[0] - q[0], p[1] - q[1]];
+    assert!(gap.iter().zip([1.0 / 6.0, -1.0 / 6.0]).all(|(x, y)| (x - y).abs() < 1e-12), "{gap:?}");
+    assert_sane(&picture.svg(&Style::default()));
+    let huge = SQUARE.map(|p| p.map(|x| if x > 0.0 { f64::MAX } else { -f64::MAX }));
+    let exploded = super::Exploded::new(&Picture { points: &huge, ..square() }, 2.0);
+    assert!(exploded.picture().points.as_flattened().iter().all(|x| x.is_finite()));
+}
+
+#[test]
+fn panels_stand_in_rows_of_two() {
+    let style = |title: &str| Style { title: title.to_owned(), size: 200.0, ..Style::default() };
+    let three = ["a < b", "c", "d"].map(|title| (square(), style(title)));
+    let sheet = super::panels(&three);
+    let document = Document::parse(&sheet).unwrap();
+    let places: Vec<[f64; 2]> = document
+        .root_element()
+        .children()
+        .filter(|n| n.has_tag_name("svg"))
+        .map(|n| ["x", "y"].map(|name| n.attribute(name).unwrap().parse().unwrap()))
+        .collect();
+    assert_eq!(places, [[0.0, 26.0], [200.0, 26.0], [0.0, 252.0]]);
+}

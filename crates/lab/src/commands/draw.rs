@@ -1,15 +1,17 @@
 //! `delone draw`: a picture of an input and its triangulation.
 
 use delone_delaunay::Options;
-use delone_draw::Style;
+use delone_draw::{Exploded, Picture, Style, panels};
+use delone_formats::Document;
+use delone_mesh::Mesh;
 
 use crate::cli;
 use crate::engine;
 use crate::failure::Failure;
 use crate::pictures::Drawing;
 use crate::result::describe;
-use crate::subject::Subject;
-use crate::{input, output};
+use crate::subject::{Body, Subject};
+use crate::{input, judge, output};
 
 pub(crate) fn draw(arguments: &cli::Draw) -> Result<(), Failure> {
     if !(arguments.size.is_finite() && arguments.size >= 16.0) {
@@ -17,6 +19,9 @@ pub(crate) fn draw(arguments: &cli::Draw) -> Result<(), Failure> {
     }
     output::check_paths(arguments.output.as_deref())?;
     let document = input::read(&arguments.source.input, arguments.source.format.as_deref())?;
+    if arguments.panels {
+        return write(arguments, &figure(document, arguments)?);
+    }
     let has_cells = !(document.triangles.is_empty() && document.tets.is_empty());
     // A picture of the input alone is wanted most when the input is refused: it needs no validation.
     let (subject, triangulation) = if arguments.bare || has_cells {
@@ -30,13 +35,83 @@ pub(crate) fn draw(arguments: &cli::Draw) -> Result<(), Failure> {
     let style = Style {
         size: arguments.size,
         numbered: arguments.numbered,
+        edges_numbered: arguments.edges,
         circumcircles: arguments.circumcircles,
         title: describe(&subject),
         ..Style::default()
     };
-    let svg = Drawing::of(&subject, triangulation.as_ref()).svg(&style);
+    let drawing = Drawing::of(&subject, triangulation.as_ref());
+    let svg = match arguments.explode.filter(|_| !drawing.is_space()) {
+        Some(factor) if factor.is_finite() => {
+            Exploded::new(&drawing.plane(), factor).picture().svg(&style)
+        }
+        Some(factor) => return Err(Failure::input(format!("--explode {factor}: give a number"))),
+        None => drawing.svg(&style),
+    };
+    write(arguments, &svg)
+}
+
+fn write(arguments: &cli::Draw, svg: &str) -> Result<(), Failure> {
     match &arguments.output {
-        Some(path) => output::text(path, &svg),
+        Some(path) => output::text(path, svg),
         None => output::print_bytes(svg.as_bytes()),
     }
+}
+
+/// The input, its Delaunay triangulation and its constrained Delaunay triangulation, side by side.
+fn figure(document: Document, arguments: &cli::Draw) -> Result<String, Failure> {
+    let subject = Subject::graph(document)?;
+    let Body::Graph(pslg) = &subject.body else { unreachable!("a graph was asked for") };
+    let free = delone_delaunay::delaunay(pslg.sites(), &Options::default(), &mut ());
+    let cdt = delone_cdt::cavity(pslg, &Options::default(), &mut ());
+    let points = pslg.sites().points();
+    let triangles = [free.mesh(), cdt.mesh()].map(triangles);
+    let [delaunay, constrained] = [&triangles[0], &triangles[1]].map(|triangles| edges(triangles));
+    let missing: Vec<[u32; 2]> = without(pslg.subsegments(), &delaunay);
+    let forced: Vec<[u32; 2]> = without(&constrained, &delaunay);
+    let bare = Picture { points, segments: pslg.subsegments(), ..Picture::default() };
+    let style = |title: String| Style {
+        size: arguments.size / 2.0,
+        numbered: arguments.numbered,
+        edges_numbered: arguments.edges,
+        circumcircles: arguments.circumcircles,
+        title,
+        ..Style::default()
+    };
+    Ok(panels(&[
+        (bare, style(format!("{}: {} segments", subject.name(), pslg.segments().len()))),
+        (
+            Picture { segments: &[], triangles: &triangles[0], highlights: &missing, ..bare },
+            style(format!(
+                "Delaunay: {} of {} subsegments missing",
+                missing.len(),
+                pslg.subsegments().len()
+            )),
+        ),
+        (
+            Picture { triangles: &triangles[1], highlights: &forced, ..bare },
+            style(format!("constrained Delaunay: {} edges not Delaunay", forced.len())),
+        ),
+    ]))
+}
+
+fn triangles(mesh: &Mesh<2>) -> Vec<[u32; 3]> {
+    if mesh.dimension() == Some(2) {
+        judge::solid_ids(mesh).as_chunks::<3>().0.to_vec()
+    } else {
+        Vec::new()
+    }
+}
+
+/// The sides of triangles, smaller end first, in increasing order.
+fn edges(triangles: &[[u32; 3]]) -> Vec<[u32; 2]> {
+    let sides = triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+    let mut edges: Vec<[u32; 2]> = sides.map(|[a, b]| [a.min(b), a.max(b)]).collect();
+    edges.sort_unstable();
+    edges.dedup();
+    edges
+}
+
+fn without(edges: &[[u32; 2]], known: &[[u32; 2]]) -> Vec<[u32; 2]> {
+    edges.iter().copied().filter(|edge| known.binary_search(edge).is_err()).collect()
 }

@@ -3,6 +3,7 @@
 use std::path::Path;
 use std::time::Instant;
 
+use delone_cdt::Domain;
 use delone_draw::{Anchor, Report, Style, Tone};
 use serde_json::{Map, json};
 
@@ -12,85 +13,107 @@ use crate::failure::Failure;
 use crate::pictures::Drawing;
 use crate::progress::Progress;
 use crate::result::{Outcome, Seconds, describe};
-use crate::subject::Subject;
-use crate::{input, output};
+use crate::subject::{Body, Subject};
+use crate::{fill, input, judge, output};
 
 pub(crate) fn delaunay(arguments: &cli::Triangulate) -> Result<(), Failure> {
     let start = Instant::now();
     let document = input::read(&arguments.source.input, arguments.source.format.as_deref())?;
-    let notes = document.notes.clone();
     let subject = Subject::points(document)?;
+    let read = start.elapsed().as_secs_f64();
     let mut extra = Map::new();
     extra.insert("hidden".to_owned(), json!([]));
-    let read = start.elapsed().as_secs_f64();
-    triangulate(
-        "delone.delaunay/1",
-        &subject,
-        &arguments.run,
-        &arguments.report,
-        read,
-        extra,
-        notes,
-    )
+    let job =
+        Job { schema: "delone.delaunay/1", run: &arguments.run, report: &arguments.report, read };
+    job.carry_out(&subject, |_| Ok((extra, None)))
 }
 
 pub(crate) fn cdt(arguments: &cli::Cdt) -> Result<(), Failure> {
-    let cli::Crossings::Reject = arguments.crossings;
     let start = Instant::now();
     let document = input::read(&arguments.source.input, arguments.source.format.as_deref())?;
-    let notes = document.notes.clone();
-    let subject = Subject::graph(document)?;
-    let mut extra = Map::new();
-    extra.insert("steiner".to_owned(), json!(0));
+    let subject = match arguments.crossings {
+        cli::Crossings::Split => Subject::crossed(document)?,
+        cli::Crossings::Reject if arguments.strict => Subject::strict(document)?,
+        cli::Crossings::Reject => Subject::graph(document)?,
+    };
     let read = start.elapsed().as_secs_f64();
-    triangulate("delone.cdt/1", &subject, &arguments.run, &arguments.report, read, extra, notes)
+    let job = Job { schema: "delone.cdt/1", run: &arguments.run, report: &arguments.report, read };
+    job.carry_out(&subject, |triangulation| {
+        let mut extra = fill::crossing_keys(triangulation, &subject);
+        let domain = fill::domain(triangulation, &subject, arguments.fill)?;
+        let mut keys = fill::keys(&domain);
+        if !arguments.report.voice.json {
+            keys.retain(|key, _| !matches!(key.as_str(), "regions" | "edge_kinds"));
+        }
+        extra.extend(keys);
+        Ok((extra, (arguments.fill != cli::Fill::None).then_some((domain, arguments.fill))))
+    })
 }
 
-fn triangulate(
+/// The keys that only one command has, and what is inside if not everything.
+type Filled = (Map<String, serde_json::Value>, Option<(Domain, cli::Fill)>);
+
+struct Job<'a> {
     schema: &'static str,
-    subject: &Subject,
-    run: &cli::Run,
-    report: &cli::Report,
+    run: &'a cli::Run,
+    report: &'a cli::Report,
+    /// Seconds.
     read: f64,
-    extra: Map<String, serde_json::Value>,
-    notes: Vec<String>,
-) -> Result<(), Failure> {
-    let algorithm = engine::choose(subject, run.algorithm.as_deref())?;
-    for path in &report.outputs {
-        output::format_to_write(path)?;
+}
+
+impl Job<'_> {
+    fn carry_out(
+        &self,
+        subject: &Subject,
+        filled: impl FnOnce(&Triangulation) -> Result<Filled, Failure>,
+    ) -> Result<(), Failure> {
+        let Self { schema, run, report, read } = *self;
+        let algorithm = engine::choose(subject, run.algorithm.as_deref())?;
+        for path in &report.outputs {
+            output::format_to_write(path)?;
+        }
+        output::check_paths(written(report))?;
+        let mut progress = Progress::new(algorithm, report.voice.quiet);
+        // Counting and showing progress cost time: what is timed runs without, unless the run is long.
+        let is_long = subject.site_count() > 1_000_000;
+        let listens = report.counts || is_long;
+        let options = engine::options(run);
+        let built = engine::run(subject, algorithm, &options, listens.then_some(&mut progress));
+        progress.finish();
+        let mut seconds = Seconds { read, build: built.seconds, ..Seconds::default() };
+        let triangulation = built.triangulation;
+        let (extra, filled) = filled(&triangulation)?;
+        let clock = Instant::now();
+        let verdict = report.check.then(|| {
+            let verdict = triangulation.verdict(subject);
+            let of_fill = filled
+                .as_ref()
+                .and_then(|(domain, rule)| fill::verdict(&triangulation, subject, domain, *rule));
+            of_fill.map_or(verdict.clone(), |of_fill| judge::with_fill(verdict, of_fill))
+        });
+        seconds.check = report.check.then(|| clock.elapsed().as_secs_f64());
+        let mut outcome = Outcome {
+            schema,
+            subject,
+            algorithm,
+            kernel: match (&subject.body, run.kernel) {
+                (Body::Crossed(_), _) => "constructed",
+                (_, cli::Kernel::Adaptive) => "adaptive",
+                (_, cli::Kernel::Exact) => "exact",
+            },
+            fingerprint: triangulation.fingerprint(subject).to_string(),
+            sizes: triangulation.sizes(subject),
+            seconds,
+            counts: report.counts.then_some(progress.counts),
+            verdict,
+            extra,
+            notes: subject.document.notes.clone(),
+        };
+        let clock = Instant::now();
+        let domain = filled.as_ref().map(|(domain, _)| domain);
+        write_results(report, &triangulation, domain, &mut outcome)?;
+        tell(report, &mut outcome, clock.elapsed().as_secs_f64())
     }
-    output::check_paths(written(report))?;
-    let mut progress = Progress::new(algorithm, report.voice.quiet);
-    // Counting and showing progress cost time: what is timed runs without, unless the run is long.
-    let is_long = subject.site_count() > 1_000_000;
-    let listens = report.counts || is_long;
-    let options = engine::options(run);
-    let built = engine::run(subject, algorithm, &options, listens.then_some(&mut progress));
-    progress.finish();
-    let mut seconds = Seconds { read, build: built.seconds, ..Seconds::default() };
-    let triangulation = built.triangulation;
-    let clock = Instant::now();
-    let verdict = report.check.then(|| triangulation.verdict(subject));
-    seconds.check = report.check.then(|| clock.elapsed().as_secs_f64());
-    let mut outcome = Outcome {
-        schema,
-        subject,
-        algorithm,
-        kernel: match run.kernel {
-            cli::Kernel::Adaptive => "adaptive",
-            cli::Kernel::Exact => "exact",
-        },
-        fingerprint: triangulation.fingerprint(subject).to_string(),
-        sizes: triangulation.sizes(subject),
-        seconds,
-        counts: report.counts.then_some(progress.counts),
-        verdict,
-        extra,
-        notes,
-    };
-    let clock = Instant::now();
-    write_results(report, &triangulation, &mut outcome)?;
-    tell(report, &mut outcome, clock.elapsed().as_secs_f64())
 }
 
 fn written(report: &cli::Report) -> impl Iterator<Item = &Path> {
@@ -101,11 +124,15 @@ fn written(report: &cli::Report) -> impl Iterator<Item = &Path> {
 fn write_results(
     report: &cli::Report,
     triangulation: &Triangulation,
+    domain: Option<&Domain>,
     outcome: &mut Outcome<'_>,
 ) -> Result<(), Failure> {
     let subject = outcome.subject;
+    let mut document = triangulation.document(subject);
+    if let Some(domain) = domain {
+        triangulation.keep_inside(domain, &mut document);
+    }
     if !report.outputs.is_empty() {
-        let document = triangulation.document(subject);
         for path in &report.outputs {
             let lost = output::document(path, &document)?;
             outcome
@@ -114,7 +141,7 @@ fn write_results(
         }
     }
     if report.svg.is_some() || report.html.is_some() {
-        let drawing = Drawing::of(subject, Some(triangulation));
+        let drawing = Drawing::of_document(&document);
         let style = Style { title: describe(subject), ..Style::default() };
         if let Some(path) = &report.svg {
             output::text(path, &drawing.svg(&style))?;
