@@ -6,6 +6,7 @@
 //! | `exhaustive` | the definition, by brute force | every small input of a kind |
 //! | `cavities` | validity | 8,000 wide cavities with dangling edges |
 //! | `predicates` | the exact sign | 10^5 calls, over the full range of doubles |
+//! | `constructed` | the mesh of similar plain points; that by rationals | algorithms over constructed points |
 //! | `cgal`, `spade` | the same triangulation as another program's | workloads, and the collected files |
 //! | `generated` | all laws, shrinking what fails | structured random inputs |
 //! | `regressions` | all laws | `regressions/`, which only grows |
@@ -17,7 +18,7 @@
 //! With `DELONE_LONG=1` the largest files are taken as well.
 //!
 //! **Modules.** [`case`] one input; [`corpus`] all of them, of [`hand`] and [`data`]; [`judge`] and [`cells`] what is
-//! compared; [`laws`]; [`cgal`] the opponent.
+//! compared; [`laws`]; [`generated`] inputs that shrink; [`cgal`] the opponent.
 
 #![expect(clippy::missing_panics_doc, reason = "panicking is how a test's helper speaks")]
 
@@ -27,6 +28,7 @@ pub mod cgal;
 pub mod corpus;
 pub mod data;
 pub mod exact;
+pub mod generated;
 pub mod hand;
 pub mod judge;
 pub mod laws;

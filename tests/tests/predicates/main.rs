@@ -11,6 +11,7 @@
 //! | `constructed` | points on segments, crossings of lines and planes, against rationals |
 //! | `headroom` | determinants that fill the exact integers |
 //! | `fixtures` | the collected ones of another program |
+//! | `laws` | permutations, scaling, translation, reflection, duality: of all kernels, in 2 to 6 dimensions |
 //! | `metric` | lengths, angles and radii, against rationals |
 //! | `known` | inputs on which other programs are wrong |
 
@@ -21,6 +22,7 @@ mod fixtures;
 mod headroom;
 mod inputs;
 mod known;
+mod laws;
 mod metric;
 mod oracle;
 mod signs;
