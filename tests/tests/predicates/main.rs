@@ -8,6 +8,7 @@
 //! | `signs` | the comparison |
 //! | `bound` | inputs whose floating-point determinant is near the filter's error bound |
 //! | `algebra` | permutations, scaling, translation, the perturbation |
+//! | `classroom` | published lines near which plain doubles are wrong |
 //! | `constructed` | points on segments, crossings of lines and planes, against rationals |
 //! | `headroom` | determinants that fill the exact integers |
 //! | `fixtures` | the collected ones of another program |
@@ -17,6 +18,7 @@
 
 mod algebra;
 mod bound;
+mod classroom;
 mod constructed;
 mod fixtures;
 mod headroom;
