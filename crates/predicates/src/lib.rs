@@ -15,6 +15,7 @@
 //! |---|---|
 //! | a few points | the free functions [`orient2d`], [`orient3d`], [`in_circle`], [`in_sphere`], [`orient`] |
 //! | many points with ids, an algorithm to write | [`Kernel`], with [`Adaptive`] |
+//! | one simplex and many points, or the reverse | [`batch`], filters by columns |
 //! | sites with weights, for regular triangulations | [`Weighted`] |
 //! | points on segments, crossings of lines and planes, exact | [`Constructed`] |
 //! | lengths, angles, radii to compare | [`Metric`], which these kernels are |
@@ -43,6 +44,7 @@
 
 mod adaptive;
 mod approximate;
+pub mod batch;
 mod checked;
 mod constructed;
 mod counting;
