@@ -9,8 +9,12 @@ fn columns(seed: u64) -> Vec<f64> {
             state = state
                 .wrapping_mul(6_364_136_223_846_793_005)
                 .wrapping_add(1_442_695_040_888_963_407);
-            let pick = (state >> 40) as usize;
-            if pick % 5 < 2 { values[pick % 12] } else { f64::from((pick % 17) as u8) / 4.0 }
+            let pick = usize::try_from(state >> 40).unwrap();
+            if pick % 5 < 2 {
+                values[pick % 12]
+            } else {
+                f64::from(u8::try_from(pick % 17).unwrap()) / 4.0
+            }
         })
         .collect()
 }
