@@ -8,11 +8,15 @@
 //! **Biases.** Ours are measured on R with the static filter's bounds known beforehand, as an algorithm has them.
 //! Inputs of one cell are of one kind, so branches on the stage are predictable; signs are not.
 
+mod batch;
 mod cgal;
+mod constructed;
 mod contestants;
 mod inputs;
 
+pub use batch::batches;
 pub use cgal::Cgal;
+pub use constructed::constructions;
 pub use contestants::{Contestant, contestants};
 pub use inputs::{Input, tuples};
 

@@ -8,6 +8,7 @@
 //! | `lecture` | areas done by hand, under every rule | the fifteen soups of the lecture |
 //! | `crossings` | agreement, and the judge's proof | segments that cross |
 //! | `predicates` | the exact sign | 10^5 calls, over the full range of doubles |
+//! | `constructed` | the mesh of similar plain points; that by rationals | algorithms over constructed points |
 //! | `cgal`, `spade` | the same triangulation as another program's | workloads, and the collected files |
 //! | `dimensions` | Qhull's cells, in general position; validity | four, five and six dimensions |
 //! | `generated` | all laws, shrinking what fails | structured random inputs |
@@ -20,7 +21,7 @@
 //! With `DELONE_LONG=1` the largest files are taken as well.
 //!
 //! **Modules.** [`case`] one input; [`corpus`] all of them, of [`hand`] and [`data`]; [`judge`] and [`cells`] what is
-//! compared; [`laws`]; [`cgal`] and [`qhull`] the opponents.
+//! compared; [`laws`]; [`generated`] inputs that shrink; [`cgal`] and [`qhull`] the opponents.
 
 #![expect(clippy::missing_panics_doc, reason = "panicking is how a test's helper speaks")]
 
@@ -30,6 +31,7 @@ pub mod cgal;
 pub mod corpus;
 pub mod data;
 pub mod exact;
+pub mod generated;
 pub mod hand;
 pub mod judge;
 pub mod laws;

@@ -2,22 +2,9 @@
 //! towards fewer points, smaller integers, no nudge.
 
 use delone_tests::case::Case;
-use delone_tests::exact::{nudged, power_of_two};
+use delone_tests::generated::{coordinate, run};
 use delone_tests::laws::{constrained_laws, delaunay_laws, obey};
-use proptest::prelude::{Just, Strategy, any, prop_oneof};
-use proptest::test_runner::{Config, TestRunner};
-
-/// A coordinate of the kinds on which algorithms fail.
-fn coordinate() -> impl Strategy<Value = f64> {
-    let small = (-4..=4i32).prop_map(f64::from);
-    let wider = (-40..=40i32).prop_map(f64::from);
-    let near = (-3..=3i32, -2..=2i32).prop_map(|(x, ulps)| nudged(f64::from(x), ulps));
-    let power = (-1074..=1023i32, any::<bool>())
-        .prop_map(|(k, negative)| power_of_two(k) * if negative { -1.0 } else { 1.0 });
-    let tenths = (-20..=20i32).prop_map(|x| f64::from(x) / 10.0);
-    let ends = prop_oneof![Just(0.0), Just(-0.0), Just(5e-324), Just(f64::MAX), Just(-f64::MAX)];
-    prop_oneof![12 => small, 3 => wider, 3 => near, 1 => power, 2 => tenths, 1 => ends]
-}
+use proptest::prelude::{Strategy, any, prop_oneof};
 
 /// A point: free, on a circle of integers, or a copy of an earlier one's coordinates.
 #[derive(Clone, Debug)]
@@ -92,18 +79,6 @@ fn graph(points: Vec<[f64; 2]>, candidates: &[[usize; 2]]) -> Case<2> {
         }
     }
     case
-}
-
-/// Runs a property on `cases` inputs; always the same ones.
-fn run<S: Strategy>(cases: u32, strategy: &S, property: impl Fn(S::Value)) {
-    let config = Config { cases, failure_persistence: None, ..Config::default() };
-    let seed = proptest::test_runner::TestRng::deterministic_rng(config.rng_algorithm);
-    let mut runner = TestRunner::new_with_rng(config, seed);
-    let outcome = runner.run(strategy, |value| {
-        property(value);
-        Ok(())
-    });
-    outcome.unwrap_or_else(|failure| panic!("{failure}"));
 }
 
 #[test]

@@ -24,6 +24,7 @@
 //! | [`Exploded`] | its triangles moved apart | complexes of a few cells |
 //! | [`panels()`] | several pictures on one sheet | before and after |
 //! | [`Solid`] | a tetrahedral mesh as SVG: shaded boundary, wires inside | up to some 10,000 facets |
+//! | [`Rasters`] | fields of signs or classes, side by side in rows | maps of predicates |
 //! | [`Report`] | paragraphs, sortable tables, figures; a figure of more than [`SVG_EDGES_MAX`] edges becomes a canvas with pan and zoom | `compare`, benchmarks |
 //!
 //! # Contract
@@ -40,10 +41,12 @@
 mod frame;
 mod html;
 mod num;
+mod rasters;
 mod solid;
 mod svg;
 mod text;
 
 pub use html::{Anchor, Cell, Report, SVG_EDGES_MAX, Table, Tone};
+pub use rasters::{Raster, Rasters};
 pub use solid::Solid;
 pub use svg::{Aspect, Dots, Exploded, Picture, Style, panels};

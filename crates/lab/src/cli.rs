@@ -45,6 +45,8 @@ pub(crate) enum Command {
     Convert(Convert),
     /// Draw an input and its triangulation as SVG
     Draw(Draw),
+    /// Draw where a rounded orientation is wrong: three published lines, plain doubles beside exact signs
+    Classroom(Classroom),
     /// List the algorithms, the papers they follow, and what they are for
     Cite,
     /// Print a completion script for a shell
@@ -330,4 +332,11 @@ pub(crate) struct Draw {
     /// Length of the longer side in pixels
     #[arg(long, default_value_t = 800.0)]
     pub(crate) size: f64,
+}
+
+#[derive(Args)]
+pub(crate) struct Classroom {
+    /// Write to this file instead of standard output
+    #[arg(short, long, value_name = "OUT")]
+    pub(crate) output: Option<PathBuf>,
 }

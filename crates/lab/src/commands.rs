@@ -1,6 +1,7 @@
 //! One file for each command.
 
 mod check;
+mod classroom;
 mod compare;
 mod convert;
 mod draw;
@@ -23,6 +24,7 @@ pub(crate) fn run(command: &Command) -> Result<(), Failure> {
         Command::Gen(arguments) => generate::generate(arguments),
         Command::Convert(arguments) => convert::convert(arguments),
         Command::Draw(arguments) => draw::draw(arguments),
+        Command::Classroom(arguments) => classroom::classroom(arguments),
         Command::Cite => meta::cite(),
         Command::Completions { shell } => meta::completions(*shell),
         Command::Man => meta::man(),

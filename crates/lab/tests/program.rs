@@ -327,3 +327,27 @@ fn figures_are_drawn() {
     }
     assert_eq!(run(folder.path(), &["draw", "kite.poly", "--explode", "nan"]).0, 2);
 }
+
+#[test]
+fn classroom_draws_three_lines_twice() {
+    let folder = folder();
+    let (status, out, error) = run(folder.path(), &["classroom", "-o", "maps.svg"]);
+    assert_eq!((status, out.as_str(), error.as_str()), (0, "", ""));
+    let svg = std::fs::read_to_string(folder.path().join("maps.svg")).unwrap();
+    let document = roxmltree::Document::parse(&svg).unwrap();
+    let named = |name: &'static str| document.descendants().filter(move |n| n.has_tag_name(name));
+    assert_eq!(named("g").count(), 6);
+    // The squares of a map are all drawn, each once.
+    for map in named("g") {
+        let strokes = map.children().filter_map(|path| path.attribute("d"));
+        let lengths = strokes.flat_map(|d| d.split('M').filter_map(|run| run.split('h').nth(1)));
+        assert_eq!(lengths.map(|length| length.parse::<u32>().unwrap()).sum::<u32>(), 256 * 256);
+    }
+    // The first and the third line pass through the corner of their square: in line are 256 points, in one run each.
+    let diagonal = |map: usize| {
+        let map = named("g").nth(map).unwrap();
+        map.children().filter_map(|n| n.attribute("d")).any(|d| d.matches("h1").count() == 256)
+    };
+    assert_eq!([0, 1, 2, 3, 4, 5].map(diagonal), [false, true, false, false, false, true]);
+    assert_eq!(run(folder.path(), &["classroom"]).1, svg);
+}

@@ -19,8 +19,11 @@ mod tests;
 
 pub(crate) use nearest::nearest_ratio;
 
-/// Magnitudes, least significant limb first; up to six on the stack.
-type Limbs = SmallVec<[u64; 6]>;
+/// Limbs of a magnitude on the stack; more are allocated.
+const INLINE: usize = 8;
+
+/// Magnitudes, least significant limb first.
+type Limbs = SmallVec<[u64; INLINE]>;
 
 /// `+- mantissa * 2^exponent`, exactly.
 ///
@@ -32,7 +35,7 @@ type Limbs = SmallVec<[u64; 6]>;
 /// assert_eq!(third.to_f64(), 1.0 / 3.0); // to the nearest double, from 200 bits
 /// assert_ne!(third, Dyadic::from(1.0 / 3.0));
 /// ```
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+#[derive(Debug, PartialEq, Eq, Hash)]
 pub struct Dyadic {
     /// Without zeros on top; odd; empty for zero.
     mantissa: Limbs,
@@ -106,6 +109,16 @@ impl Dyadic {
         self.exponent + limbs::length(limbs::bits(&self.mantissa)) - 1
     }
 
+    /// The mantissa times `2^shift`.
+    #[inline]
+    fn over(&self, shift: u64) -> Limbs {
+        if shift == 0 {
+            SmallVec::from_slice(&self.mantissa)
+        } else {
+            limbs::shifted(&self.mantissa, shift)
+        }
+    }
+
     /// The sum with `other`, negated if asked.
     fn plus(&self, other: &Self, negate: bool) -> Self {
         let (a, b) = (self, other);
@@ -130,7 +143,7 @@ impl Dyadic {
                 low,
             );
         }
-        let (x, y) = (limbs::shifted(&a.mantissa, shift_a), limbs::shifted(&b.mantissa, shift_b));
+        let (x, y) = (a.over(shift_a), b.over(shift_b));
         if a.negative == negative {
             return Self::new(limbs::sum(x, &y), low, negative);
         }
@@ -139,6 +152,14 @@ impl Dyadic {
             Ordering::Greater => Self::new(limbs::difference(x, &y), low, a.negative),
             Ordering::Less => Self::new(limbs::difference(y, &x), low, negative),
         }
+    }
+}
+
+impl Clone for Dyadic {
+    #[inline]
+    fn clone(&self) -> Self {
+        let mantissa = SmallVec::from_slice(&self.mantissa); // at once, not limb by limb
+        Self { mantissa, ..*self }
     }
 }
 

@@ -15,19 +15,26 @@
 //! |---|---|
 //! | a few points | the free functions [`orient2d`], [`orient3d`], [`in_circle`], [`in_sphere`], [`orient`] |
 //! | many points with ids, an algorithm to write | [`Kernel`], with [`Adaptive`] |
+//! | one simplex and many points, or the reverse | [`batch`], filters by columns |
 //! | sites with weights, for regular triangulations | [`Weighted`] |
 //! | points on segments, crossings of lines and planes, exact | [`Constructed`] |
 //! | lengths, angles, radii to compare | [`Metric`], which these kernels are |
 //! | doubts about a filter | [`Exact`], the same answers without filters |
+//! | exact numbers of another crate | [`ExactOver`], over any ring; feature `rug` for GMP's |
 //! | an opponent to compare with | [`RobustCrate`] (expansions), [`Naive`] (plain doubles) |
 //! | to know what is asked, and which stage answers | [`Counting`] around any kernel |
 //! | a kernel to watch | [`Checked`]: panics where another kernel answers otherwise |
 //! | points of R^D in a K-flat | [`Projected`] |
 //!
+//! All kernels are there in every dimension up to [`DIMENSION_MAX`]: filters of their own in two and three, one for any
+//! beyond. [`RobustCrate`] has the predicates of `robust` in two and three, exact integers beyond. [`PlaneKernel`] is of the
+//! plane; of the [`Construction`]s, crossings of lines are of the plane, those of planes of space, points on segments of any.
+//!
 //! # Contract
 //!
 //! Coordinates are finite doubles, any of them: from 5e-324 to the largest, in one call. Answers are exact. A wrong
-//! number of vertices panics and says how many were expected. No allocation, no recursion that depends on values.
+//! number of vertices panics and says how many were expected. No recursion that depends on values; no allocation, but for
+//! constructed points, other numbers, and comparisons of radii, where numbers are as long as they need to be.
 //!
 //! # Inside
 //!
@@ -37,11 +44,13 @@
 
 mod adaptive;
 mod approximate;
+pub mod batch;
 mod checked;
 mod constructed;
 mod counting;
 mod dyadic;
 mod exact;
+mod exact_over;
 mod filter;
 mod int;
 mod kernel;
@@ -61,6 +70,7 @@ pub use checked::Checked;
 pub use constructed::{Constructed, Construction, ConstructionError};
 pub use counting::{Counting, Question, Tally};
 pub use dyadic::Dyadic;
+pub use exact_over::ExactOver;
 pub use kernel::{Id, Kernel, PlaneKernel, all_axes};
 pub use metric::Metric;
 pub use naive::Naive;

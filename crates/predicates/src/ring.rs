@@ -130,12 +130,14 @@ impl<T: Ring> Matrix<T> {
                 sum += &(self.minor2([1, 2]) * self.at(0, 2));
                 sum
             }
-            _ => self.by_subsets(),
+            _ => self.determinants().1,
         }
     }
 
+    /// The determinant without the last row and column, and with them; of at least one row.
+    ///
     /// As `exact/any.rs`: the minor of the first j columns and a set of j rows, from those of j - 1.
-    fn by_subsets(&self) -> T {
+    pub(crate) fn determinants(&self) -> (T, T) {
         let all = (1usize << self.size) - 1;
         let mut minors: SmallVec<[T; 16]> = SmallVec::with_capacity(all + 1);
         minors.push(T::one());
@@ -154,7 +156,8 @@ impl<T: Ring> Matrix<T> {
             }
             minors.push(sum);
         }
-        minors.swap_remove(all)
+        let determinant = minors.swap_remove(all);
+        (minors.swap_remove(all >> 1), determinant)
     }
 }
 

@@ -33,8 +33,11 @@
 //! - Every workload takes every n, 0 included, and costs O(n log n) or less. How it rounds n is [`Workload::rounds`].
 //! - How segments may meet is [`Workload::meets`]; a brute-force test in exact arithmetic holds each to it.
 //!
+//! - [`CLASSROOM`] is apart: three published lines, to draw where a rounded orientation is wrong beside them.
+//!
 //! Not here: reading files (`formats`), validation (`sites`), mutation and shrinking of inputs (the lab).
 
+mod classroom;
 mod fingerprint;
 mod input;
 mod num;
@@ -46,6 +49,7 @@ mod pslg;
 mod registry;
 mod rng;
 
+pub use classroom::{CLASSROOM, Classroom};
 pub use input::{Input, Points};
 pub use registry::{Kind, Meets, SITES_MAX, UnknownWorkload, Workload, all, find, generate};
 pub use rng::Rng;

@@ -1,7 +1,9 @@
 //! Inputs on which named programs are wrong: measured on `robust`, `geometry-predicates`, `apfp`, Shewchuk's
 //! `predicates.c`, geogram, `axiolid-predicates`, `delaunay`.
 
-use delone::predicates::{Sign, in_circle, in_sphere, orient2d, orient3d};
+use delone::predicates::{
+    Adaptive, Kernel, RobustCrate, Sign, in_circle, in_sphere, orient2d, orient3d,
+};
 use delone_tests::exact::power_of_two;
 
 use crate::oracle;
@@ -114,4 +116,47 @@ fn a_turn_of_the_kettner_grid() {
         [[0.500_000_000_000_01, 0.500_000_000_000_008], [12.0, 12.0], [24.0, 24.0]],
         Sign::Negative,
     );
+}
+
+/// One vector's permutations with signs: cospherical. Expansions lose their last parts to underflow, and what is left is not
+/// zero: `robust` says inside.
+#[test]
+fn a_sphere_near_two_to_the_minus_180() {
+    let (x, y, z) =
+        (3.395_008_296_017_831e-62, 8.777_606_908_650_025e-64, 5.751_711_326_075_678e-55);
+    let points = [[-x, -y, -z], [-y, x, z], [-y, -x, -z], [-z, y, x], [-y, -x, z]];
+    let [a, b, c, d, e] = points;
+    assert_eq!(oracle::lifted(&[&a, &b, &c, &d, &e]), Sign::Zero);
+    assert_eq!(in_sphere(a, b, c, d, e), Sign::Zero);
+    assert_eq!(Adaptive::new(points).lifted(&[0usize, 1, 2, 3], 4), Sign::Zero);
+    assert_ne!(RobustCrate::new(points).lifted(&[0usize, 1, 2, 3], 4), Sign::Zero);
+}
+
+/// Scales 2^k at which `robust` has lost the sign of a unit configuration (an orientation in the plane survives overflow),
+/// and we have not.
+#[test]
+fn the_range_of_expansions() {
+    let plane = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [0.25, 0.25]];
+    let space = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.25; 3]];
+    let (triangle, tetrahedron) = ([0usize, 1, 2], [0usize, 1, 2, 3]);
+    for k in [-1060, -540, 520, 1000] {
+        let points = plane.map(|p| p.map(|x| x * power_of_two(k)));
+        assert_eq!(Adaptive::new(points).orient(&triangle), Sign::Positive, "2^{k}");
+        assert_eq!(RobustCrate::new(points).orient(&triangle) == Sign::Positive, k > 0, "2^{k}");
+    }
+    for k in [-1060, -270, 270, 1000] {
+        let points = plane.map(|p| p.map(|x| x * power_of_two(k)));
+        assert_eq!(Adaptive::new(points).lifted(&triangle, 3), Sign::Positive, "2^{k}");
+        assert_ne!(RobustCrate::new(points).lifted(&triangle, 3), Sign::Positive, "2^{k}");
+    }
+    for k in [-1060, -360, 1000] {
+        let points = space.map(|p| p.map(|x| x * power_of_two(k)));
+        assert_eq!(Adaptive::new(points).orient(&tetrahedron), Sign::Positive, "2^{k}");
+        assert_ne!(RobustCrate::new(points).orient(&tetrahedron), Sign::Positive, "2^{k}");
+    }
+    for k in [-1060, -220, 220, 1000] {
+        let points = space.map(|p| p.map(|x| x * power_of_two(k)));
+        assert_eq!(Adaptive::new(points).lifted(&tetrahedron, 4), Sign::Positive, "2^{k}");
+        assert_ne!(RobustCrate::new(points).lifted(&tetrahedron, 4), Sign::Positive, "2^{k}");
+    }
 }

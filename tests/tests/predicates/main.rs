@@ -8,19 +8,23 @@
 //! | `signs` | the comparison |
 //! | `bound` | inputs whose floating-point determinant is near the filter's error bound |
 //! | `algebra` | permutations, scaling, translation, the perturbation |
+//! | `classroom` | published lines near which plain doubles are wrong |
 //! | `constructed` | points on segments, crossings of lines and planes, against rationals |
 //! | `headroom` | determinants that fill the exact integers |
 //! | `fixtures` | the collected ones of another program |
+//! | `laws` | permutations, scaling, translation, reflection, duality: of all kernels, in 2 to 6 dimensions |
 //! | `metric` | lengths, angles and radii, against rationals |
 //! | `known` | inputs on which other programs are wrong |
 
 mod algebra;
 mod bound;
+mod classroom;
 mod constructed;
 mod fixtures;
 mod headroom;
 mod inputs;
 mod known;
+mod laws;
 mod metric;
 mod oracle;
 mod signs;

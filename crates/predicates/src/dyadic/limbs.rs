@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use smallvec::{SmallVec, smallvec};
 
-use super::Limbs;
+use super::{INLINE, Limbs};
 
 /// A count as an exponent.
 pub(super) fn length(bits: usize) -> i64 {
@@ -20,68 +20,73 @@ pub(super) fn bits(limbs: &[u64]) -> usize {
 #[expect(clippy::cast_possible_truncation, reason = "limbs are cut out")]
 pub(super) fn pair(value: u128) -> Limbs {
     let (low, high) = (value as u64, (value >> 64) as u64);
-    let mut limbs = SmallVec::new();
-    limbs.push(low);
-    if high != 0 {
-        limbs.push(high);
+    let mut limbs = [0; INLINE];
+    (limbs[0], limbs[1]) = (low, high);
+    SmallVec::from_buf_and_len(limbs, 1 + usize::from(high != 0))
+}
+
+/// So many zeros.
+#[inline]
+fn zeros(count: usize) -> Limbs {
+    if count <= INLINE {
+        SmallVec::from_buf_and_len([0; INLINE], count)
+    } else {
+        smallvec![0; count]
     }
-    limbs
 }
 
 /// Takes off zeros on top and, as factors of two, below. The number of the latter; `None` if all is zero.
+#[inline]
 pub(super) fn make_odd(limbs: &mut Limbs) -> Option<usize> {
-    while limbs.last() == Some(&0) {
-        limbs.pop();
+    let len = limbs.iter().rposition(|&limb| limb != 0)? + 1;
+    limbs.truncate(len);
+    if limbs[0] & 1 == 1 {
+        return Some(0);
     }
     let first = limbs.iter().position(|&limb| limb != 0)?;
     let bit = limbs[first].trailing_zeros();
-    if first > 0 {
-        limbs.drain(..first);
+    let limbs_left = len - first;
+    for i in 0..limbs_left {
+        let above = if first + i + 1 < len { limbs[first + i + 1] } else { 0 };
+        limbs[i] = limbs[first + i] >> bit | above << 1 << (63 - bit);
     }
-    if bit > 0 {
-        for i in 0..limbs.len() {
-            let above = limbs.get(i + 1).map_or(0, |above| above << (64 - bit));
-            limbs[i] = limbs[i] >> bit | above;
-        }
-        if limbs.last() == Some(&0) {
-            limbs.pop();
-        }
+    limbs.truncate(limbs_left);
+    if limbs.last() == Some(&0) {
+        limbs.pop();
     }
     Some(64 * first + bit as usize)
 }
 
 /// Times `2^shift`.
+#[inline]
 pub(super) fn shifted(limbs: &[u64], shift: u64) -> Limbs {
-    let zeros = usize::try_from(shift / 64).expect("exponents are those of products of doubles");
+    let low = usize::try_from(shift / 64).expect("exponents are those of products of doubles");
     let bit = shift % 64;
-    let mut result: Limbs = smallvec![0; zeros];
-    result.reserve(limbs.len() + 1);
-    if bit == 0 {
-        result.extend_from_slice(limbs);
-        return result;
+    let mut result = zeros(low + limbs.len() + 1);
+    let mut below = 0;
+    for (slot, &limb) in result[low..].iter_mut().zip(limbs) {
+        *slot = limb << bit | below;
+        below = limb >> 1 >> (63 - bit);
     }
-    let mut carry = 0;
-    for &limb in limbs {
-        result.push(limb << bit | carry);
-        carry = limb >> (64 - bit);
-    }
-    if carry != 0 {
-        result.push(carry);
+    if below == 0 {
+        result.truncate(low + limbs.len());
+    } else {
+        result[low + limbs.len()] = below;
     }
     result
 }
 
 pub(super) fn sum(mut a: Limbs, b: &[u64]) -> Limbs {
-    if a.len() < b.len() {
-        a.resize(b.len(), 0);
+    while a.len() < b.len() {
+        a.push(0);
     }
+    let (low, high) = a.split_at_mut(b.len());
     let mut carry = false;
-    for (i, slot) in a.iter_mut().enumerate() {
-        match b.get(i) {
-            Some(&limb) => (*slot, carry) = slot.carrying_add(limb, carry),
-            None if carry => (*slot, carry) = slot.overflowing_add(1),
-            None => break,
-        }
+    for (slot, &limb) in low.iter_mut().zip(b) {
+        (*slot, carry) = slot.carrying_add(limb, carry);
+    }
+    for slot in high {
+        (*slot, carry) = slot.overflowing_add(u64::from(carry));
     }
     if carry {
         a.push(1);
@@ -97,13 +102,13 @@ pub(super) fn difference(mut a: Limbs, b: &[u64]) -> Limbs {
 
 /// `a -= b`, for `a >= b`.
 pub(super) fn subtract(a: &mut [u64], b: &[u64]) {
+    let (low, high) = a.split_at_mut(b.len());
     let mut borrow = false;
-    for (i, slot) in a.iter_mut().enumerate() {
-        match b.get(i) {
-            Some(&limb) => (*slot, borrow) = slot.borrowing_sub(limb, borrow),
-            None if borrow => (*slot, borrow) = slot.overflowing_sub(1),
-            None => break,
-        }
+    for (slot, &limb) in low.iter_mut().zip(b) {
+        (*slot, borrow) = slot.borrowing_sub(limb, borrow);
+    }
+    for slot in high {
+        (*slot, borrow) = slot.overflowing_sub(u64::from(borrow));
     }
     debug_assert!(!borrow, "the greater magnitude comes first");
 }
@@ -114,7 +119,7 @@ pub(super) fn compare(a: &[u64], b: &[u64]) -> Ordering {
 }
 
 pub(super) fn product(a: &[u64], b: &[u64]) -> Limbs {
-    let mut product: Limbs = smallvec![0; a.len() + b.len()];
+    let mut product = zeros(a.len() + b.len());
     for (i, &x) in a.iter().enumerate() {
         let mut carry = 0;
         for (slot, &y) in product[i..].iter_mut().zip(b) {

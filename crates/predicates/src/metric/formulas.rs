@@ -2,6 +2,8 @@
 
 use std::cmp::Ordering;
 
+use smallvec::SmallVec;
+
 use crate::ring::{Homogeneous, Matrix, Ring, dot, minus, times};
 use crate::{Approximate, Dyadic, Sign};
 
@@ -108,20 +110,19 @@ impl<T: Signed> Radius<T> {
             let others = points.iter().enumerate().filter(|(i, _)| *i != 0 && *i != but);
             others.fold(T::one(), |c, (_, point)| times(&c, &point.w))
         };
-        let edges: Vec<[T; D]> = (1..)
+        let edges: SmallVec<[[T; D]; 3]> = (1..)
             .zip(others)
             .map(|(i, point)| point.all_from(first).map(|x| times(&x, &product(i))))
             .collect();
         let c_square = square(&times(&product(0), &first.w));
-        let height = |i: usize| {
-            let square = dot(&edges[i], &edges[i]);
-            let Some(weights) = weights else { return square };
-            minus(square, &times(&minus(weights[i + 1].clone(), &weights[0]), &c_square))
+        let height = |i: usize, square: &T| {
+            let Some(weights) = weights else { return square.clone() };
+            let over = minus(weights[i + 1].clone(), &weights[0]);
+            minus(square.clone(), &times(&over, &c_square))
         };
-        let heights: Vec<T> = (0..edges.len()).map(height).collect();
-        let gram = gram(&edges, None).determinant();
+        let (gram, bordered) = bordered(&edges, height).determinants();
         let denominator = quadruple(&times(&gram, &c_square));
-        let mut numerator = -gram_bordered(&edges, &heights);
+        let mut numerator = -bordered;
         if let Some(weights) = weights {
             numerator -= &times(&denominator, &weights[0]);
         }
@@ -152,23 +153,23 @@ fn quadruple<T: Ring>(a: &T) -> T {
     double.clone() + double
 }
 
-/// The matrix of products of edges, bordered by heights on two sides and a zero if there are any.
-fn gram<T: Ring, const D: usize>(edges: &[[T; D]], heights: Option<&[T]>) -> Matrix<T> {
-    let mut rows = Matrix::new(edges.len() + usize::from(heights.is_some()));
+/// The matrix of products of edges, bordered by heights on two sides and a zero; `height` is told the edge's square.
+fn bordered<T: Ring, const D: usize>(
+    edges: &[[T; D]],
+    height: impl Fn(usize, &T) -> T,
+) -> Matrix<T> {
+    let k = edges.len();
+    let mut products: SmallVec<[T; 9]> = SmallVec::new();
     for (i, edge) in edges.iter().enumerate() {
-        edges.iter().for_each(|other| rows.push(dot(edge, other)));
-        if let Some(heights) = heights {
-            rows.push(heights[i].clone());
+        for (j, other) in edges.iter().enumerate() {
+            products.push(if j < i { products[j * k + i].clone() } else { dot(edge, other) });
         }
     }
-    if let Some(heights) = heights {
-        heights.iter().for_each(|height| rows.push(height.clone()));
-        rows.push(T::zero());
+    let heights: SmallVec<[T; 4]> = (0..k).map(|i| height(i, &products[i * k + i])).collect();
+    let mut rows = Matrix::new(k + 1);
+    for (row, height) in products.chunks(k.max(1)).zip(&heights) {
+        row.iter().chain([height]).for_each(|entry| rows.push(entry.clone()));
     }
+    heights.into_iter().chain([T::zero()]).for_each(|entry| rows.push(entry));
     rows
-}
-
-/// `-h^T adj(G) h`.
-fn gram_bordered<T: Ring, const D: usize>(edges: &[[T; D]], heights: &[T]) -> T {
-    gram(edges, Some(heights)).determinant()
 }
