@@ -24,6 +24,7 @@
 //! | [`Exploded`] | its triangles moved apart | complexes of a few cells |
 //! | [`panels()`] | several pictures on one sheet | before and after |
 //! | [`Solid`] | a tetrahedral mesh as SVG: shaded boundary, wires inside | up to some 10,000 facets |
+//! | [`Plot`] | curves on logarithmic axes, with their exponents | how a cost grows |
 //! | [`Rasters`] | fields of signs or classes, side by side in rows | maps of predicates |
 //! | [`Report`] | paragraphs, sortable tables, figures; a figure of more than [`SVG_EDGES_MAX`] edges becomes a canvas with pan and zoom | `compare`, benchmarks |
 //!
@@ -41,12 +42,14 @@
 mod frame;
 mod html;
 mod num;
+mod plot;
 mod rasters;
 mod solid;
 mod svg;
 mod text;
 
 pub use html::{Anchor, Cell, Report, SVG_EDGES_MAX, Table, Tone};
+pub use plot::{Plot, Series};
 pub use rasters::{Raster, Rasters};
 pub use solid::Solid;
 pub use svg::{Aspect, Dots, Exploded, Picture, Style, panels};

@@ -240,6 +240,25 @@ pub(crate) struct Compare {
     /// Report inputs that cannot be read or are refused as rows, and go on
     #[arg(long)]
     pub(crate) keep_going: bool,
+    /// Instead, run the algorithms on workloads of these sizes, and plot how their costs grow
+    #[arg(
+        long,
+        value_delimiter = ',',
+        num_args = 0..=1,
+        value_name = "SIZES",
+        default_missing_value = "1000,3000,10000,30000,100000",
+        conflicts_with = "inputs"
+    )]
+    pub(crate) scaling: Vec<usize>,
+    /// The workloads for --scaling
+    #[arg(
+        long,
+        value_delimiter = ',',
+        value_name = "NAMES",
+        default_value = "uniform,grid,clusters,uniform-3d,grid-3d,random-segments,coast,ladder",
+        requires = "scaling"
+    )]
+    pub(crate) workloads: Vec<String>,
     #[command(flatten)]
     pub(crate) voice: Voice,
 }

@@ -311,6 +311,26 @@ fn crossings_become_vertices() {
 }
 
 #[test]
+fn costs_are_plotted_as_they_grow() {
+    let folder = folder();
+    let words = ["compare", "--scaling", "50,100,200", "--workloads", "grid,ladder"];
+    let object = json_of(folder.path(), &[&words[..], &["--json", "--html", "g.html"]].concat());
+    assert_eq!((&object["schema"], &object["ok"]), (&"delone.scaling/1".into(), &true.into()));
+    let results = object["results"].as_array().unwrap();
+    let steps = |algorithm: &str| -> Vec<f64> {
+        let rows = results.iter().filter(|row| row["algorithm"] == algorithm);
+        rows.map(|row| row["steps"].as_f64().unwrap()).collect()
+    };
+    for algorithm in ["divide-conquer", "bowyer-watson", "chew", "cavity"] {
+        assert!(steps(algorithm).is_sorted() && steps(algorithm).len() == 3, "{algorithm}");
+    }
+    let page = std::fs::read_to_string(folder.path().join("g.html")).unwrap();
+    assert_eq!(page.matches("<polyline").count(), 2 * 6);
+    assert_eq!(run(folder.path(), &["compare", "--scaling", "--workloads", "gird"]).0, 2);
+    assert_eq!(run(folder.path(), &["compare", "--workloads", "grid"]).0, 2);
+}
+
+#[test]
 fn figures_are_drawn() {
     let folder = folder();
     std::fs::write(folder.path().join("kite.poly"), KITE).unwrap();

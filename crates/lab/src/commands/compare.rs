@@ -1,6 +1,7 @@
 //! `delone compare`, the main job: every applicable algorithm on each input, judged, counted, timed.
 
 mod page;
+mod scaling;
 mod suite;
 mod table;
 
@@ -83,6 +84,9 @@ pub(crate) fn compare(arguments: &cli::Compare) -> Result<(), Failure> {
         return Err(Failure::Input(format!(
             "no algorithm is called {stranger}: there are {known}"
         )));
+    }
+    if !arguments.scaling.is_empty() {
+        return scaling::scaling(arguments);
     }
     let (subjects, refused) = subjects(arguments)?;
     if !refused.is_empty() && !arguments.keep_going {
