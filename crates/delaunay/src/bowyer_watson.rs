@@ -33,13 +33,13 @@ use crate::conflict::{dig_conflicts, in_conflict};
 use crate::flat::{Flat, span};
 use crate::locate::{Coin, walk};
 
-/// The Delaunay mesh of the kernel's vertices in `order`. See the module's text.
+/// The Delaunay mesh of the kernel's vertices in `order`, which is dropped early if it is given away. See the module's text.
 ///
 /// # Panics
 /// If `order` names a vertex twice, or one that the kernel does not know, or two vertices are at one position.
 pub fn bowyer_watson<const D: usize>(
     kernel: &impl Kernel<D>,
-    order: &[u32],
+    order: impl AsRef<[u32]>,
     probe: &mut impl Probe,
 ) -> Mesh<D> {
     construct(kernel, order, &mut Unstoppable(probe))
@@ -48,14 +48,15 @@ pub fn bowyer_watson<const D: usize>(
 /// The same; if the probe does not go on, the mesh of some of the vertices.
 pub(crate) fn construct<const D: usize>(
     kernel: &impl Kernel<D>,
-    order: &[u32],
+    given: impl AsRef<[u32]>,
     probe: &mut impl Probe,
 ) -> Mesh<D> {
-    if order.is_empty() {
+    if given.as_ref().is_empty() {
         return Mesh::empty();
     }
-    let flat = span(kernel, order);
-    let order = starting_with(&flat.simplex, order);
+    let flat = span(kernel, given.as_ref());
+    let order = starting_with(&flat.simplex, given.as_ref());
+    drop(given);
     let kernel = kernel.reordered(&order);
     let mut mesh = match flat.axes.len() {
         0 => Mesh::simplex(&[VertexId::new(0)]),

@@ -190,8 +190,8 @@ fn by_bowyer_watson<const D: usize>(
 ) -> Mesh<D> {
     let order = options.order(sites);
     match options.kernel {
-        KernelKind::Adaptive => construct(&Adaptive::new(sites.points()), &order, probe),
-        KernelKind::Exact => construct(&Exact::new(sites.points()), &order, probe),
+        KernelKind::Adaptive => construct(&Adaptive::new(sites.points()), order, probe),
+        KernelKind::Exact => construct(&Exact::new(sites.points()), order, probe),
     }
 }
 
