@@ -83,8 +83,8 @@ impl Plot {
             Escaped(&self.up),
         );
         let ranges = [0, 1].map(|axis| self.decades(axis));
-        for axis in 0..2 {
-            grid(&mut out, axis, ranges[axis]);
+        for (axis, &range) in ranges.iter().enumerate() {
+            grid(&mut out, axis, range);
         }
         out.push_str("</g>");
         for (number, series) in self.series.iter().enumerate() {

@@ -21,7 +21,7 @@ fn check_sites(sites: &Sites<2>) -> Mesh<2> {
     let n = sites.len();
     let level = if n > 300 { Level::Twins } else { Level::Sphere };
     assert_eq!(mesh.faults(level, n), [], "{:?}", sites.points());
-    let incremental = bowyer_watson(&kernel, &sites.brio_order(1), &mut ());
+    let incremental = bowyer_watson(&kernel, sites.brio_order(1), &mut ());
     assert_eq!(mesh.dimension(), incremental.dimension());
     assert!(canonical(&mesh) == canonical(&incremental), "{:?}", sites.points());
     assert_eq!(mesh.cell_count(), incremental.cell_count());
