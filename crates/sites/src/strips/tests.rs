@@ -35,7 +35,7 @@ fn scattered(count: u64, size: u64, exponents: std::ops::Range<i32>) -> Vec<[f64
 fn sites_inside_segments_are_found() {
     assert!(check(&scattered(150, 6, 0..1)) > 1000);
     // Slanted lines of sites, whose heights in a strip are rounded.
-    let line = (0..120).map(|i| f64::from(i)).map(|i| [i * 0.1, 3.0 * (i * 0.1)]);
+    let line = (0..120).map(f64::from).map(|i| [i * 0.1, 3.0 * (i * 0.1)]);
     assert!(check(&line.collect::<Vec<_>>()) > 100);
     let parallels = (0..150).map(|i| [f64::from(i / 3), f64::from(i / 3) * 7.0 + f64::from(i % 3)]);
     assert!(check(&parallels.collect::<Vec<_>>()) > 1000);
