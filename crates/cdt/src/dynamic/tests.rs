@@ -61,8 +61,8 @@ fn vertices_come_and_go() {
     };
     let [mut put, mut split, mut taken, mut kept, mut flat] = [0; 5];
     for round in 0..150 {
-        let side = 2 + round % 5;
-        let mut points: Vec<[f64; 2]> = (0..16)
+        let side = 3 + round % 3;
+        let mut points: Vec<[f64; 2]> = (0..2 * side * side)
             .map(|_| [(); 2].map(|()| f64::from(u32::try_from(roll(side)).unwrap())))
             .collect();
         points.sort_by(|p, q| p.partial_cmp(q).unwrap());
@@ -80,9 +80,21 @@ fn vertices_come_and_go() {
             match roll(9) {
                 0..=2 if v != w && dynamic.holds(v) && dynamic.holds(w) => {
                     let ends = [v.min(w), v.max(w)];
-                    if dynamic.insert_segment(ends, &mut ()).is_ok()
-                        && !present.segments.contains(&ends)
-                    {
+                    // What is in the way goes, so that it comes again to split the segment.
+                    let fits = loop {
+                        match dynamic.insert_segment(ends, &mut ()) {
+                            Ok(()) => break true,
+                            Err(Blocked::Through(x)) => {
+                                let x = u32::try_from(x.index()).unwrap();
+                                if dynamic.remove_vertex(x, &mut ()).is_err() {
+                                    break false;
+                                }
+                                present.vertices[x as usize] = false;
+                            }
+                            Err(Blocked::Crosses(_)) => break false,
+                        }
+                    };
+                    if fits && !present.segments.contains(&ends) {
                         present.segments.push(ends);
                     }
                 }
