@@ -35,6 +35,21 @@ impl Present {
         assert!(now.mesh().faults(delone_mesh::Level::Sphere, self.points.len()).is_empty());
     }
 
+    /// Puts a segment in. Vertices in the way go, so that they come again to split it.
+    fn connect<K: PlaneKernel>(&mut self, dynamic: &mut Dynamic<'_, K>, ends: [u32; 2]) {
+        while let Err(blocked) = dynamic.insert_segment(ends, &mut ()) {
+            let Blocked::Through(x) = blocked else { return };
+            let x = u32::try_from(x.index()).unwrap();
+            if dynamic.remove_vertex(x, &mut ()).is_err() {
+                return;
+            }
+            self.vertices[x as usize] = false;
+        }
+        if !self.segments.contains(&ends) {
+            self.segments.push(ends);
+        }
+    }
+
     /// The segment that a vertex lies on splits.
     fn split_at(&mut self, v: u32) {
         let p = self.points[v as usize];
@@ -80,23 +95,7 @@ fn vertices_come_and_go() {
             match roll(9) {
                 0..=2 if v != w && dynamic.holds(v) && dynamic.holds(w) => {
                     let ends = [v.min(w), v.max(w)];
-                    // What is in the way goes, so that it comes again to split the segment.
-                    let fits = loop {
-                        match dynamic.insert_segment(ends, &mut ()) {
-                            Ok(()) => break true,
-                            Err(Blocked::Through(x)) => {
-                                let x = u32::try_from(x.index()).unwrap();
-                                if dynamic.remove_vertex(x, &mut ()).is_err() {
-                                    break false;
-                                }
-                                present.vertices[x as usize] = false;
-                            }
-                            Err(Blocked::Crosses(_)) => break false,
-                        }
-                    };
-                    if fits && !present.segments.contains(&ends) {
-                        present.segments.push(ends);
-                    }
+                    present.connect(&mut dynamic, ends);
                 }
                 3 if !present.segments.is_empty() => {
                     let place = roll(present.segments.len());
