@@ -186,7 +186,7 @@ fn change(case: &Case<2>) -> usize {
     let Some(mut dynamic) = Dynamic::new(first.clone(), &kernel, count) else { return 0 };
     let every = count.div_ceil(THOROUGH_MAX);
     let gone: Vec<u32> = (0..id(count))
-        .filter(|v| *v as usize % every == 0)
+        .filter(|v| (*v as usize).is_multiple_of(every))
         .filter(|&v| dynamic.remove_vertex(v, &mut ()).is_ok())
         .collect();
     let left: Vec<usize> = (0..count).filter(|&v| dynamic.holds(id(v))).collect();
