@@ -18,7 +18,8 @@
 //!
 //! **In.** Nothing. The collected files are looked for in `../shared/data`, beside the workspace, or in the folder that
 //! `DELONE_DATA` names; CGAL at `target/peers/cgal` (`cargo xtask setup`). What is not there is skipped, and said so.
-//! With `DELONE_LONG=1` the largest files are taken as well.
+//! With `DELONE_LONG=1` the largest files are taken as well. `DELONE_CASES` and `DELONE_SEED` say how many generated inputs,
+//! and which: `DELONE_CASES=1000000 cargo test --release -p delone-tests --test generated algorithms_agree`.
 //!
 //! **Modules.** [`case`] one input; [`corpus`] all of them, of [`hand`] and [`data`]; [`judge`] and [`cells`] what is
 //! compared; [`laws`]; [`generated`] inputs that shrink; [`cgal`] and [`qhull`] the opponents.
@@ -53,4 +54,11 @@ pub fn id(index: usize) -> u32 {
 #[must_use]
 pub fn long() -> bool {
     std::env::var("DELONE_LONG").is_ok_and(|value| value == "1")
+}
+
+/// The number that a variable of the environment holds, if it is set.
+#[must_use]
+pub fn number(variable: &str) -> Option<u64> {
+    let text = std::env::var(variable).ok()?;
+    Some(text.parse().unwrap_or_else(|_| panic!("{variable} is no number: {text}")))
 }

@@ -8,12 +8,15 @@
 //! | segments on the 3 x 3 grid | all 36, all 630 pairs, every 5th of the 7,140 triples (all with `DELONE_LONG=1`) | `naive::constrained`, the judge |
 //! | triangulations of the 3 x 3 grid | all 64, all edges given; each again without each edge | `naive::constrained` |
 //! | sets of segments on the 3 x 3 grid | 600 random maximal ones, thinned | `naive::constrained`, the judge |
+//! | plane graphs on the 3 x 3 grid | every set of inner edges, with a choice of hull edges (all of them with `DELONE_LONG=1`) | each other, all algorithms |
+//! | crossing segments on the 3 x 3 grid | all pairs, every 15th triple (all with `DELONE_LONG=1`) | each other, all algorithms |
 //!
 //! A set of segments must be refused exactly if two of them cross at a point that is no site: decided here by integers.
 
-use delone::cdt::cavity;
+use delone::cdt::{algorithms as constrained_algorithms, cavity, cdt_of_arrangement};
 use delone::check::naive;
 use delone::delaunay::{Options, algorithms, delaunay};
+use delone::sites::{Arrangement, Pslg};
 use delone::workloads::Rng;
 use delone_tests::case::Case;
 use delone_tests::judge::{Rigour, accept_constrained, accept_delaunay};
@@ -196,6 +199,81 @@ fn every_triangulation_and_every_one_less_an_edge() {
         }
     });
     assert_eq!(count, 64, "the 3 x 3 grid has 64 unimodular triangulations");
+}
+
+/// All algorithms on one set of segments of the square, each also as if segments could cross.
+fn check_agreement(segments: &[[u32; 2]]) {
+    let segments: Vec<[usize; 2]> = segments.iter().map(|s| s.map(|v| v as usize)).collect();
+    let graph = Arrangement::new(&square(), &segments).expect("finite points");
+    let first = cdt_of_arrangement(&graph, &mut ());
+    let pslg = Pslg::new(&square(), &segments).ok();
+    for algorithm in constrained_algorithms() {
+        let crossed = (algorithm.run_crossed)(&graph, &mut ());
+        assert_eq!(crossed.canonical(), first.canonical(), "{}: {segments:?}", algorithm.name);
+        assert_eq!(crossed.constrained_edges(), graph.subsegments(), "{}", algorithm.name);
+        if let Some(pslg) = &pslg {
+            let other = (algorithm.run)(pslg, &Options::default());
+            assert_eq!(other.canonical(), first.canonical(), "{}: {segments:?}", algorithm.name);
+            assert_eq!(other.constrained_edges(), pslg.subsegments(), "{}", algorithm.name);
+        }
+    }
+}
+
+/// Calls `found` with every set of the segments of which no two cross.
+fn for_each_plane_set(all: &[[u32; 2]], mut found: impl FnMut(&[[u32; 2]])) {
+    let mut stack: Vec<(usize, Vec<[u32; 2]>)> = vec![(0, Vec::new())];
+    while let Some((next, set)) = stack.pop() {
+        let Some(&segment) = all.get(next) else {
+            found(&set);
+            continue;
+        };
+        if set.iter().all(|&other| !cross(segment, other)) {
+            let mut with = set.clone();
+            with.push(segment);
+            stack.push((next + 1, with));
+        }
+        stack.push((next + 1, set));
+    }
+}
+
+#[test]
+fn all_algorithms_on_every_plane_graph() {
+    let on_hull = |&[a, b]: &[u32; 2]| {
+        let sides: Vec<i32> = (0..9).map(|v| turn(a, b, v)).collect();
+        sides.iter().all(|&side| side >= 0) || sides.iter().all(|&side| side <= 0)
+    };
+    let (hull, inner): (Vec<[u32; 2]>, Vec<[u32; 2]>) = primitive().into_iter().partition(on_hull);
+    assert_eq!((hull.len(), inner.len()), (8, 20));
+    let (mut count, mut maximal) = (0u32, 0);
+    for_each_plane_set(&inner, |set| {
+        count += 1;
+        maximal += u32::from(set.len() == 8);
+        let masks = if delone_tests::long() { 0..256 } else { count % 256..count % 256 + 1 };
+        for mask in masks {
+            let chosen = (0..8usize).filter(|i| mask >> i & 1 == 1).map(|i| hull[i]);
+            check_agreement(&set.iter().copied().chain(chosen).collect::<Vec<_>>());
+        }
+    });
+    assert_eq!(maximal, 64, "the inner edges of the 64 triangulations are among the {count} sets");
+}
+
+#[test]
+fn all_algorithms_on_crossing_segments() {
+    let all = all_segments();
+    let (mut number, mut crossing) = (0, 0);
+    for i in 0..all.len() {
+        for j in 0..i {
+            check_agreement(&[all[i], all[j]]);
+            crossing += u32::from(cross(all[i], all[j]));
+            for k in 0..j {
+                number += 1;
+                if number % 15 == 0 || delone_tests::long() {
+                    check_agreement(&[all[i], all[j], all[k]]);
+                }
+            }
+        }
+    }
+    assert!(crossing > 0 && crossing < 630, "{crossing} of 630 pairs cross");
 }
 
 #[test]

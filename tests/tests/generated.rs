@@ -1,6 +1,8 @@
 //! All laws on generated inputs. The strategies make *values*, coordinates chosen one by one, so that what fails shrinks:
 //! towards fewer points, smaller integers, no nudge.
 
+use delone::cdt::algorithms;
+use delone::delaunay::Options;
 use delone_tests::case::Case;
 use delone_tests::generated::{coordinate, run};
 use delone_tests::laws::{constrained_laws, delaunay_laws, obey};
@@ -99,11 +101,31 @@ fn point_sets_of_space() {
     });
 }
 
-#[test]
-fn graphs() {
-    let laws = constrained_laws();
+/// Graphs, as [`graph`] makes them.
+fn graphs() -> impl Strategy<Value = Case<2>> {
     let segments = proptest::collection::vec(proptest::array::uniform2(0..12usize), 0..16);
-    let graphs = (atoms::<2>(12), segments)
-        .prop_map(|(atoms, candidates)| graph(resolved(&atoms, &PAIRS), &candidates));
-    run(400, &graphs, |case| obey(&laws, &case));
+    (atoms::<2>(12), segments)
+        .prop_map(|(atoms, candidates)| graph(resolved(&atoms, &PAIRS), &candidates))
+}
+
+#[test]
+fn laws_of_graphs() {
+    let laws = constrained_laws();
+    run(400, &graphs(), |case| obey(&laws, &case));
+}
+
+/// The law that matters most, alone, so that a million graphs take minutes.
+#[test]
+fn algorithms_agree_on_graphs() {
+    let algorithms = algorithms();
+    run(1000, &graphs(), |case| {
+        let pslg = case.pslg();
+        let mut results =
+            algorithms.iter().map(|algorithm| (algorithm.run)(&pslg, &Options::default()));
+        let first = results.next().expect("there is an algorithm");
+        for (other, algorithm) in results.zip(&algorithms[1..]) {
+            assert_eq!(other.canonical(), first.canonical(), "{}", algorithm.name);
+            assert_eq!(other.constrained_edges(), first.constrained_edges(), "{}", algorithm.name);
+        }
+    });
 }

@@ -1,10 +1,11 @@
-//! A CDT under change: segments are put in and taken out, and it stays the CDT of what is there.
+//! A CDT under change: vertices and segments are put in and taken out, and it stays the CDT of what is there.
 //!
 //! **Method.** A segment is put in by flips (`flips.rs`). One that is taken out leaves a free edge, the only one that may be
-//! illegal: flips go out from it.
+//! illegal: flips go out from it. Vertices: see `dynamic/vertex.rs`.
 //! **Invariant.** 1. After each call the mesh is the CDT of the vertices and the present segments: the same, cell for cell, as if
 //! built from these alone.
-//! **Not here.** Vertices coming and going; cutting segments that cross or run through vertices, which is refused.
+//! **Not here.** Cutting segments that cross or run through vertices, which is refused; parents: a vertex that splits an edge
+//! leaves two, which go one by one.
 //!
 //! **Degeneracies.**
 //! | case | answer | test |
@@ -13,14 +14,17 @@
 //! | it crosses another, or runs through a vertex | refused, nothing changes | `what_blocks_a_segment_is_named` |
 //! | all vertices in line | none: the mesh is a chain | `what_blocks_a_segment_is_named` |
 
+mod vertex;
+
 use delone_mesh::VertexId;
 use delone_predicates::PlaneKernel;
 use delone_probe::Probe;
 
 use crate::Cdt;
 use crate::flips::{Blocked, Flips};
+pub use vertex::Kept;
 
-/// A CDT whose segments may change.
+/// A CDT whose vertices and segments may change.
 ///
 /// ```
 /// use delone_cdt::{Dynamic, cavity};
@@ -35,20 +39,28 @@ use crate::flips::{Blocked, Flips};
 /// assert_eq!(dynamic.cdt().canonical(), [0, 1, 2, 0, 2, 3]);
 /// assert!(dynamic.remove_segment([0, 2], &mut ()));
 /// assert_eq!(dynamic.cdt().canonical(), [0, 1, 3, 1, 2, 3]);
+/// assert_eq!(dynamic.remove_vertex(3, &mut ()), Ok(true));
+/// assert_eq!(dynamic.cdt().canonical(), [0, 1, 2]);
+/// assert!(dynamic.insert_vertex(3, &mut ()));
 /// ```
 #[derive(Debug)]
 pub struct Dynamic<'k, K> {
     flips: Flips<'k, K>,
+    /// A vertex that is there, from which walks start.
+    hint: VertexId,
 }
 
 impl<'k, K: PlaneKernel> Dynamic<'k, K> {
-    /// Takes a CDT of vertices 0 to `vertices - 1` of the kernel; `None` if they are in line. O(n).
+    /// Takes a CDT of some of the vertices 0 to `vertices - 1` of the kernel; `None` if they are in line. The others may come,
+    /// all at distinct places. O(n).
     #[must_use]
     pub fn new(cdt: Cdt, kernel: &'k K, vertices: usize) -> Option<Self> {
-        (cdt.mesh().dimension() == Some(2)).then(|| {
-            let (mesh, constrained) = cdt.into_parts();
-            Self { flips: Flips::new(mesh, constrained, kernel, vertices) }
-        })
+        if cdt.mesh().dimension() != Some(2) {
+            return None;
+        }
+        let hint = cdt.cells().next().map(|cell| cdt.mesh().vertex(cell, 0))?;
+        let (mesh, constrained) = cdt.into_parts();
+        Some(Self { flips: Flips::new(mesh, constrained, kernel, vertices), hint })
     }
 
     /// Puts a segment in. O(m^2) at worst for m edges crossed, and the flips that follow.

@@ -56,9 +56,9 @@ pub(crate) fn insert_by_flips(
 #[derive(Debug)]
 pub(crate) struct Flips<'k, K> {
     pub(crate) mesh: Mesh<2>,
-    kernel: &'k K,
-    /// A cell of each vertex.
-    cell_of: Vec<CellId>,
+    pub(crate) kernel: &'k K,
+    /// A cell of each vertex that is there.
+    pub(crate) cell_of: Vec<Option<CellId>>,
     /// By half-edge.
     pub(crate) constrained: Vec<bool>,
     /// The edges that cross the segment, in order along it: upper end, lower end.
@@ -97,8 +97,7 @@ impl<'k, K: PlaneKernel> Flips<'k, K> {
         kernel: &'k K,
         vertices: usize,
     ) -> Self {
-        let cells = mesh.cells_by_vertex(vertices).into_iter();
-        let cell_of = cells.map(|cell| cell.expect("each site is a vertex of the mesh")).collect();
+        let cell_of = mesh.cells_by_vertex(vertices);
         Self { mesh, kernel, cell_of, constrained, crossing: Vec::new(), made: Vec::new() }
     }
 
@@ -126,20 +125,25 @@ impl<'k, K: PlaneKernel> Flips<'k, K> {
         true
     }
 
-    fn mark(&mut self, h: HalfEdge, is_constrained: bool) {
+    /// A cell of a vertex.
+    pub(crate) fn cell(&self, v: VertexId) -> CellId {
+        self.cell_of[v.index()].expect("the vertex is in the mesh")
+    }
+
+    pub(crate) fn mark(&mut self, h: HalfEdge, is_constrained: bool) {
         for h in [h, self.mesh.twin(h)] {
             self.constrained[h.index()] = is_constrained;
         }
     }
 
-    fn edge(&self, [a, b]: Ends) -> Option<HalfEdge> {
-        self.mesh.half_edge(a, b, self.cell_of[a.index()])
+    pub(crate) fn edge(&self, [a, b]: Ends) -> Option<HalfEdge> {
+        self.mesh.half_edge(a, b, self.cell(a))
     }
 
     /// A neighbour of `a` that lies on the segment to `b`.
     fn neighbour_on(&self, [a, b]: Ends) -> Option<VertexId> {
         let onwards = self.kernel.compare_lexicographic(a, b);
-        let mut around = self.mesh.ring(a, self.cell_of[a.index()]);
+        let mut around = self.mesh.ring(a, self.cell(a));
         around.by_ref().map(|h| self.mesh.destination(h)).find(|&v| {
             !v.is_ghost()
                 && self.kernel.compare_lexicographic(a, v) == onwards
@@ -152,7 +156,7 @@ impl<'k, K: PlaneKernel> Flips<'k, K> {
         if let Some(v) = self.neighbour_on([a, b]) {
             return Err(Blocked::Through(v));
         }
-        let mut crossed = way_out(&self.mesh, self.kernel, self.cell_of[a.index()], [a, b], probe);
+        let mut crossed = way_out(&self.mesh, self.kernel, self.cell(a), [a, b], probe);
         for _ in 0..=self.mesh.cell_count() {
             // From the lower end to the upper one, as seen from a.
             let ends = [self.mesh.destination(crossed), self.mesh.origin(crossed)];
@@ -252,7 +256,7 @@ impl<'k, K: PlaneKernel> Flips<'k, K> {
         self.mesh.flip(h);
         for cell in [h.cell(), t.cell()] {
             for v in self.mesh.corners(cell) {
-                self.cell_of[v.index()] = cell;
+                self.cell_of[v.index()] = Some(cell);
             }
         }
         probe.on(Event::Flip);

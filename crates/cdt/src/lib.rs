@@ -25,7 +25,7 @@
 //! |---|---|---|
 //! | [`Regions`] | what the segments cut the plane into | O(n) |
 //! | [`Domain`] | which regions are inside, by a [`Fill`] rule; exact areas, kinds of edges, points in holes | O(n) |
-//! | [`Dynamic`] | segments put in and taken out, the rest adapting | near the segment |
+//! | [`Dynamic`] | vertices and segments put in and taken out, the rest adapting | near what changes |
 //! | [`triangulate2d`] | `(V, EV)` to `(V, [EV, FV])`: the inside of a soup of edges | that of [`cavity()`] |
 //!
 //! # Contract
@@ -52,7 +52,7 @@ mod triangulate2d;
 pub use area::Area;
 pub use cavity::insert_segments;
 pub use domain::{Domain, EdgeKind, Fill, FillError, OpenVertex, Role, SeedFault};
-pub use dynamic::Dynamic;
+pub use dynamic::{Dynamic, Kept};
 pub use flips::Blocked;
 pub use regions::{RegionId, Regions};
 pub use registry::{Algorithm, algorithms, cavity, cdt_of_arrangement, chew, flips};

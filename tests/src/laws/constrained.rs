@@ -1,14 +1,16 @@
 //! The laws of constrained Delaunay triangulations.
 
 use delone::Pslg;
-use delone::cdt::{Algorithm, Cdt, Domain, Fill, FillError, algorithms, cavity};
+use delone::cdt::{Algorithm, Cdt, Domain, Dynamic, Fill, FillError, algorithms, cavity};
 use delone::check::{Complex, FillRule, judge_fill, naive};
 use delone::delaunay::{Options, delaunay};
+use delone::predicates::Adaptive;
 
 use super::delaunay::in_input_ids;
 use super::{Law, THOROUGH_MAX, all_options, scalings, symmetries, translations};
 use crate::case::Case;
 use crate::cells::delaunay_cells;
+use crate::id;
 use crate::judge::{Rigour, accept_constrained, solid_cells};
 
 /// Every law of planar straight-line graphs whose segments do not cross.
@@ -25,6 +27,7 @@ pub fn constrained_laws() -> Vec<Law<2>> {
         Law { name: "euler", hold: euler },
         Law { name: "definition", hold: definition },
         Law { name: "fill", hold: fill },
+        Law { name: "change", hold: change },
     ]
 }
 
@@ -172,4 +175,40 @@ fn fill(case: &Case<2>) -> usize {
         }
     }
     rules.len()
+}
+
+/// Vertices without segments and segments go, one after the other, and what is left is as from scratch; all come again, and
+/// all is as before.
+fn change(case: &Case<2>) -> usize {
+    let (pslg, first) = (case.pslg(), run(case));
+    let (points, count) = (pslg.sites().points(), pslg.sites().len());
+    let kernel = Adaptive::new(points);
+    let Some(mut dynamic) = Dynamic::new(first.clone(), &kernel, count) else { return 0 };
+    let every = count.div_ceil(THOROUGH_MAX);
+    let gone: Vec<u32> = (0..id(count))
+        .filter(|v| (*v as usize).is_multiple_of(every))
+        .filter(|&v| dynamic.remove_vertex(v, &mut ()).is_ok())
+        .collect();
+    let left: Vec<usize> = (0..count).filter(|&v| dynamic.holds(id(v))).collect();
+    assert_eq!(left.len() + gone.len(), count, "{}", case.name);
+    let place = |v: u32| id(left.binary_search(&(v as usize)).expect("ends of segments stay"));
+    let fewer = Case::new(
+        format!("{} less {} vertices", case.name, gone.len()),
+        left.iter().map(|&v| points[v]).collect(),
+        pslg.subsegments().iter().map(|s| s.map(place)).collect(),
+    );
+    let expected: Vec<u32> =
+        run(&fewer).canonical().iter().map(|&v| id(left[v as usize])).collect();
+    assert_eq!(dynamic.cdt().canonical(), expected, "{}", fewer.name);
+    for &v in gone.iter().rev() {
+        assert!(dynamic.insert_vertex(v, &mut ()), "{}", case.name);
+    }
+    assert_eq!(dynamic.cdt().canonical(), first.canonical(), "{}", case.name);
+    assert_eq!(dynamic.cdt().constrained_edges(), first.constrained_edges(), "{}", case.name);
+    for &ends in pslg.subsegments() {
+        assert!(dynamic.remove_segment(ends, &mut ()), "{}", case.name);
+    }
+    let plain = delaunay(pslg.sites(), &Options::default(), &mut ());
+    assert_eq!(dynamic.cdt().canonical(), plain.canonical(), "{}", case.name);
+    3
 }
