@@ -57,7 +57,7 @@ impl<T, const D: usize> Call<T, D> {
     }
 }
 
-/// The answer: in short integers if they suffice, which are tried at two lengths, since to move them costs more than to multiply.
+/// The answer: in short integers if they suffice, of eight limbs and then of sixteen.
 pub(crate) fn exactly<const D: usize, F: Formula<D>>(
     formula: &F,
     call: &Call<Dyadic, D>,
