@@ -37,17 +37,30 @@ fn kernel<const D: usize>(
     kernel
 }
 
+/// A third along the first two points, nearly.
+fn third(i: u32) -> Construction {
+    Construction::SegmentPoint { a: i, b: i + 1, t: (1.0 / 3.0).into() }
+}
+
 fn plane(count: usize) -> Vec<Contestant> {
     let kernel =
         kernel::<2>(count, |i| Construction::Crossing { a: i, b: i + 1, c: i + 2, d: i + 3 });
     let plain = Adaptive::new(kernel.positions().to_vec());
     let [random, degenerate, within, circle] = [0; 4].map(|_| kernel.clone());
+    let segment = self::kernel::<2>(count, third);
+    let on_segment = segment.clone();
     vec![
         contestant("orient2d, plain kernel", count, move |i| {
             plain.orient(&[6 * i, 6 * i + 1, 6 * i + 2])
         }),
         contestant("orient2d, plain points", count, move |i| {
             within.orient(&[6 * i, 6 * i + 1, 6 * i + 2])
+        }),
+        contestant("orient2d, segment point", count, move |i| {
+            segment.orient(&[6 * i, 6 * i + 2, 6 * i + 5])
+        }),
+        contestant("orient2d, segment point, zero", count, move |i| {
+            on_segment.orient(&[6 * i, 6 * i + 1, 6 * i + 5])
         }),
         contestant("orient2d, crossing", count, move |i| {
             random.orient(&[6 * i, 6 * i + 2, 6 * i + 5])
@@ -72,15 +85,27 @@ fn space(count: usize) -> Vec<Contestant> {
     });
     let planes = |i| [[i, i + 1, i + 2], [i, i + 3, i + 4], [i + 1, i + 2, i + 4]];
     let planes = kernel::<3>(count, |i| Construction::ThreePlanes { planes: planes(i) });
+    let segment = kernel::<3>(count, third);
+    let on_segment = segment.clone();
     let [random, degenerate] = [0; 2].map(|_| line_plane.clone());
+    let random_planes = planes.clone();
     let radii = Adaptive::new(line_plane.positions().to_vec());
     let equal = Adaptive::new(line_plane.positions().to_vec());
     vec![
+        contestant("orient3d, segment point", count, move |i| {
+            segment.orient(&[6 * i, 6 * i + 2, 6 * i + 3, 6 * i + 5])
+        }),
+        contestant("orient3d, segment point, zero", count, move |i| {
+            on_segment.orient(&[6 * i, 6 * i + 1, 6 * i + 2, 6 * i + 5])
+        }),
         contestant("orient3d, line and plane", count, move |i| {
             random.orient(&[6 * i, 6 * i + 2, 6 * i + 3, 6 * i + 5])
         }),
         contestant("orient3d, line and plane, zero", count, move |i| {
             degenerate.orient(&[6 * i + 2, 6 * i + 3, 6 * i + 4, 6 * i + 5])
+        }),
+        contestant("orient3d, three planes", count, move |i| {
+            random_planes.orient(&[6 * i, 6 * i + 2, 6 * i + 3, 6 * i + 5])
         }),
         contestant("orient3d, three planes, zero", count, move |i| {
             planes.orient(&[6 * i, 6 * i + 1, 6 * i + 2, 6 * i + 5])

@@ -9,9 +9,10 @@
 //! the nearest doubles. Where these are exact, the vertex is as good as plain. Elsewhere they are off by half of the last place
 //! at most, and nearest is monotone: where nearest doubles differ, they are in the order of the exact values.
 //!
-//! **Stages.** 1. A static filter for all vertices, plain or not: the value of the determinant in nearest doubles over the
+//! **Stages.** Calls on vertices before the first that is rounded are those of [`Adaptive`]. Others: 1. A static filter for all vertices, plain or not: the value of the determinant in nearest doubles over the
 //! bound of *magnitudes*. 2. If all vertices are exact doubles: the stages of [`Adaptive`]. 3. A dynamic filter: the
-//! determinant in doubles that carry their error bounds ([`Approximate`]). 4. The same determinant in dyadic numbers.
+//! determinant in doubles that carry their error bounds ([`Approximate`]). 4. The same determinant in
+//! integers of 16 limbs, where these suffice, and then in dyadic numbers.
 //!
 //! **The static bound.** A difference of nearest doubles has the rounding of the subtraction, at most u |p - q|, and the
 //! errors of p and q, at most u |p| and u |q| (2^-1075 each for denormals). Let M be, on each axis, the extent of the box
@@ -34,8 +35,8 @@ use std::cmp::Ordering;
 use crate::adaptive::Adaptive;
 use crate::approximate::Approximate;
 use crate::dyadic::nearest_ratio;
-use crate::exact::POINTS_MAX;
 use crate::filter::{Bounds, value};
+use crate::formula::{Call, Cross, Formula, Lifted, Orient, exactly};
 use crate::kernel::{Id, Kernel, PlaneKernel, all_axes};
 use crate::ring::{self, Homogeneous};
 use crate::{Dyadic, Sign, Stage};
@@ -51,9 +52,6 @@ use extent::Extent;
 
 /// Instead of a place among the values: a plain point.
 const PLAIN: u32 = u32::MAX;
-
-/// The points of a call, in exact numbers or in approximate ones.
-type Call<T, const D: usize> = SmallVec<[Homogeneous<T, D>; 5]>;
 
 /// A constructed point.
 #[derive(Clone, Debug)]
@@ -84,6 +82,8 @@ pub struct Constructed<const D: usize> {
     /// The place of a vertex among the values, or `PLAIN`. Empty beyond its end: plain.
     places: Vec<u32>,
     values: Vec<Value<D>>,
+    /// Vertices of a smaller index are exact in doubles, and so are most calls known to be.
+    exact_below: usize,
     extent: Extent<D>,
     /// Of the positions, as plain points.
     bounds: Bounds,
@@ -101,7 +101,8 @@ impl<const D: usize> Constructed<D> {
         });
         let places = vec![PLAIN; points.len()];
         let [bounds, wide] = extent.bounds();
-        Self { positions: points, places, values: Vec::new(), extent, bounds, wide }
+        let exact_below = points.len();
+        Self { positions: points, places, values: Vec::new(), exact_below, extent, bounds, wide }
     }
 
     /// The number of vertices.
@@ -158,7 +159,15 @@ impl<const D: usize> Constructed<D> {
         if self.extent.include(&position) {
             [self.bounds, self.wide] = self.extent.bounds();
         }
+        self.grow_exact();
         id.expect("fewer than 2^32 - 1 points")
+    }
+
+    /// Moves `exact_below` over vertices that are exact: each once in all.
+    fn grow_exact(&mut self) {
+        while self.exact_below < self.positions.len() && !self.is_rounded(self.exact_below) {
+            self.exact_below += 1;
+        }
     }
 
     /// The double nearest to each coordinate; infinite where that is beyond the largest. For drawing and export.
@@ -218,38 +227,34 @@ impl<const D: usize> Constructed<D> {
 
     #[inline(always)]
     fn all_exact<V: Id>(&self, mut vertices: impl Iterator<Item = V>) -> bool {
-        self.values.is_empty() || !vertices.any(|v| self.is_rounded(v.index()))
+        vertices.all(|v| v.index() < self.exact_below || !self.is_rounded(v.index()))
     }
 
-    /// The last two stages: of the sign of a determinant over a ring.
+    /// The last stages: of the sign of a determinant over a ring.
     #[inline(never)]
     fn by_ring<V: Id>(
         &self,
         vertices: impl Iterator<Item = V> + Clone,
-        approximately: impl FnOnce(&[Homogeneous<Approximate, D>]) -> Approximate,
-        exactly: impl FnOnce(&[Homogeneous<Dyadic, D>]) -> Dyadic,
+        formula: &impl Formula<D, Answer = Sign>,
     ) -> (Sign, Stage) {
-        let near: Call<_, D> = vertices.clone().map(|v| self.approximate_at(v.index())).collect();
-        debug_assert!(near.len() <= POINTS_MAX, "no call has more points");
-        if let Some(sign) = approximately(&near).sign() {
+        let near = vertices.clone().map(|v| self.approximate_at(v.index())).collect();
+        if let Some(sign) = formula.answer(&Call { points: near, squares: SmallVec::new() }) {
             return (sign, Stage::DynamicFilter);
         }
-        let points: Call<_, D> = vertices.map(|v| self.exact_at(v.index())).collect();
-        (exactly(&points).sign(), Stage::Dyadic)
+        let points = vertices.map(|v| self.exact_at(v.index())).collect();
+        (exactly(formula, &Call { points, squares: SmallVec::new() }), Stage::Dyadic)
     }
 
     fn orient_by_ring<V: Id>(&self, axes: &[usize], simplex: &[V]) -> (Sign, Stage) {
         let k = axes.len();
         assert_eq!(simplex.len(), k + 1, "orient in {k} axes takes {} points", k + 1);
-        let vertices = simplex.iter().copied();
-        self.by_ring(vertices, |p| ring::orient(p, axes), |p| ring::orient(p, axes))
+        self.by_ring(simplex.iter().copied(), &Orient(axes))
     }
 
     fn lifted_by_ring<V: Id>(&self, axes: &[usize], simplex: &[V], q: V) -> (Sign, Stage) {
         let k = axes.len();
         assert_eq!(simplex.len(), k + 1, "in_sphere in {k} axes takes {} points", k + 2);
-        let vertices = simplex.iter().copied().chain([q]);
-        self.by_ring(vertices, |p| ring::lifted(p, axes), |p| ring::lifted(p, axes))
+        self.by_ring(simplex.iter().copied().chain([q]), &Lifted(axes))
     }
 
     /// The first stage.
@@ -285,7 +290,9 @@ impl<const D: usize> Kernel<D> for Constructed<D> {
         let places = order.iter().map(&mut place_of).collect();
         let positions = crate::adaptive::gather(&self.positions, order);
         let (extent, bounds, wide) = (self.extent, self.bounds, self.wide);
-        Self { positions, places, values, extent, bounds, wide }
+        let mut kernel = Self { positions, places, values, exact_below: 0, extent, bounds, wide };
+        kernel.grow_exact();
+        kernel
     }
 
     fn orient_on<V: Id>(&self, axes: &[usize], simplex: &[V]) -> Sign {
@@ -327,6 +334,25 @@ impl<const D: usize> Kernel<D> for Constructed<D> {
 
     #[inline(always)]
     fn orient_staged<V: Id>(&self, simplex: &[V]) -> (Sign, Stage) {
+        if simplex.iter().all(|v| v.index() < self.exact_below) {
+            return self.nearest().orient_staged(simplex);
+        }
+        self.orient_mixed(simplex)
+    }
+
+    #[inline(always)]
+    fn lifted_staged<V: Id>(&self, simplex: &[V], q: V) -> (Sign, Stage) {
+        if simplex.iter().chain([&q]).all(|v| v.index() < self.exact_below) {
+            return self.nearest().lifted_staged(simplex, q);
+        }
+        self.lifted_mixed(simplex, q)
+    }
+}
+
+/// Calls on vertices of which some may be rounded.
+impl<const D: usize> Constructed<D> {
+    #[inline]
+    fn orient_mixed<V: Id>(&self, simplex: &[V]) -> (Sign, Stage) {
         let value = match *simplex {
             [a, b, c] if D == 2 => {
                 let [a, b, c] = at(&self.positions, [a, b, c]);
@@ -344,8 +370,8 @@ impl<const D: usize> Kernel<D> for Constructed<D> {
         })
     }
 
-    #[inline(always)]
-    fn lifted_staged<V: Id>(&self, simplex: &[V], q: V) -> (Sign, Stage) {
+    #[inline]
+    fn lifted_mixed<V: Id>(&self, simplex: &[V], q: V) -> (Sign, Stage) {
         let value = match *simplex {
             [a, b, c] if D == 2 => value::in_circle(at(&self.positions, [a, b, c, q])),
             [a, b, c, d] if D == 3 => value::in_sphere(at(&self.positions, [a, b, c, d, q])),
@@ -370,10 +396,6 @@ impl PlaneKernel for Constructed<2> {
         if self.all_exact(vertices.into_iter()) {
             return self.nearest().cross(vertices);
         }
-        fn four<T>(points: &[Homogeneous<T, 2>]) -> &[Homogeneous<T, 2>; 4] {
-            points.try_into().expect("four points")
-        }
-        let vertices = vertices.into_iter();
-        self.by_ring(vertices, |p| ring::cross(four(p)), |p| ring::cross(four(p))).0
+        self.by_ring(vertices.into_iter(), &Cross).0
     }
 }

@@ -1,7 +1,7 @@
 //! Comparisons of lengths, angles and radii: what alpha shapes and mesh refinement ask besides.
 //!
 //! **Stages.** The formula in doubles that carry their error bounds ([`Approximate`]); where these do not decide, the same
-//! formula in dyadic numbers of any length ([`Dyadic`]).
+//! formula in integers of 16 limbs, and in dyadic numbers of any length ([`Dyadic`]) where these do not suffice.
 //!
 //! **The radius.** With the edges v_i from the first vertex of a k-simplex, their Gram matrix G and heights h_i = |v_i|^2,
 //! the centre is at sum l_i v_i with 2 G l = h, and the squared radius is h^T adj(G) h / (4 det G): in any dimension, degree 2k + 2 over
@@ -21,17 +21,17 @@ use smallvec::SmallVec;
 
 use crate::adaptive::{Adaptive, Exact, point};
 use crate::dyadic::nearest_ratio;
+use crate::formula::{Call, Formula, exactly};
 use crate::kernel::{Id, Kernel};
 use crate::ring::Homogeneous;
 use crate::{Approximate, Constructed, Dyadic, Weighted};
-use formulas::{Radius, Signed};
+use formulas::{Angles, Lengths, Radius, RadiusOver};
+
+pub(crate) use formulas::Radii;
 
 mod formulas;
 #[cfg(test)]
 mod tests;
-
-/// The vertices of a simplex in numbers of one kind, and their weights if they have any.
-type Simplex<T, const D: usize> = (SmallVec<[Homogeneous<T, D>; 4]>, Option<SmallVec<[T; 4]>>);
 
 /// A kernel that also compares lengths, angles and radii, exactly.
 ///
@@ -60,20 +60,12 @@ pub trait Metric<const D: usize>: Kernel<D> {
 
     /// Whether |ab| is less than, equal to or greater than |cd|.
     fn compare_lengths<V: Id>(&self, ab: [V; 2], cd: [V; 2]) -> Ordering {
-        let [near_ab, near_cd] = [ab, cd].map(|ends| ends.map(|v| self.approximate_point(v)));
-        formulas::compare_lengths(&near_ab, &near_cd).unwrap_or_else(|| {
-            let [ab, cd] = [ab, cd].map(|ends| ends.map(|v| self.exact_point(v)));
-            certain(formulas::compare_lengths(&ab, &cd))
-        })
+        decided(self, &Lengths, ab.into_iter().chain(cd), std::iter::empty())
     }
 
     /// The order of two angles between 0 and 180 degrees, each of three vertices and at the second of them.
     fn compare_angles<V: Id>(&self, abc: [V; 3], def: [V; 3]) -> Ordering {
-        let [near_abc, near_def] = [abc, def].map(|angle| angle.map(|v| self.approximate_point(v)));
-        formulas::compare_angles(&near_abc, &near_def).unwrap_or_else(|| {
-            let [abc, def] = [abc, def].map(|angle| angle.map(|v| self.exact_point(v)));
-            certain(formulas::compare_angles(&abc, &def))
-        })
+        decided(self, &Angles, abc.into_iter().chain(def), std::iter::empty())
     }
 
     /// The order of the radii of the circumspheres of two simplices of one to D+1 vertices, each within its flat; with weights,
@@ -82,11 +74,9 @@ pub trait Metric<const D: usize>: Kernel<D> {
     /// # Panics
     /// If a simplex has no vertices.
     fn compare_radii<V: Id>(&self, s: &[V], t: &[V]) -> Ordering {
-        let near = [s, t].map(|simplex| approximate_radius(self, simplex));
-        near[0].compare(&near[1]).unwrap_or_else(|| {
-            let [s, t] = [s, t].map(|simplex| exact_radius(self, simplex));
-            certain(s.compare(&t))
-        })
+        assert!(!s.is_empty() && !t.is_empty(), "a simplex has a vertex");
+        let vertices = s.iter().chain(t).copied();
+        decided(self, &Radii(s.len()), vertices.clone(), weights(self, vertices))
     }
 
     /// The order of the squared radius of a simplex, as in [`Metric::compare_radii`], and a bound, which may be infinite.
@@ -100,10 +90,8 @@ pub trait Metric<const D: usize>: Kernel<D> {
             let infinite = bound > 0.0 && flat();
             return if infinite { Ordering::Equal } else { 0.0f64.total_cmp(&bound) };
         }
-        let near = approximate_radius(self, simplex);
-        near.compare(&Radius::of_square(Approximate::exact(bound))).unwrap_or_else(|| {
-            certain(exact_radius(self, simplex).compare(&Radius::of_square(Dyadic::from(bound))))
-        })
+        let vertices = simplex.iter().copied();
+        decided(self, &RadiusOver, vertices.clone(), weights(self, vertices).chain([bound]))
     }
 
     /// The double nearest to the squared radius of a simplex, as in [`Metric::compare_radii`].
@@ -119,35 +107,37 @@ pub trait Metric<const D: usize>: Kernel<D> {
     }
 }
 
-/// What a formula says in exact numbers.
-fn certain<A>(answer: Option<A>) -> A {
-    answer.expect("exact numbers have a sign")
+/// The answer: by doubles if they suffice.
+fn decided<const D: usize, V: Id, K: Metric<D> + ?Sized, F: Formula<D>>(
+    kernel: &K,
+    formula: &F,
+    vertices: impl Iterator<Item = V> + Clone,
+    squares: impl Iterator<Item = f64> + Clone,
+) -> F::Answer {
+    let points = vertices.clone().map(|v| kernel.approximate_point(v)).collect();
+    let near = Call { points, squares: squares.clone().map(Approximate::exact).collect() };
+    formula.answer(&near).unwrap_or_else(|| {
+        let points = vertices.map(|v| kernel.exact_point(v)).collect();
+        exactly(formula, &Call { points, squares: squares.map(Dyadic::from).collect() })
+    })
 }
 
-fn approximate_radius<const D: usize, V: Id, K: Metric<D> + ?Sized>(
+/// The weights of all vertices, or none.
+fn weights<const D: usize, V: Id, K: Metric<D> + ?Sized>(
     kernel: &K,
-    simplex: &[V],
-) -> Radius<Approximate> {
-    radius(kernel, simplex, |v| kernel.approximate_point(v), Approximate::exact)
+    vertices: impl Iterator<Item = V> + Clone,
+) -> impl Iterator<Item = f64> + Clone {
+    vertices.filter_map(|v| kernel.weight_of(v))
 }
 
 fn exact_radius<const D: usize, V: Id, K: Metric<D> + ?Sized>(
     kernel: &K,
     simplex: &[V],
 ) -> Radius<Dyadic> {
-    radius(kernel, simplex, |v| kernel.exact_point(v), Dyadic::from)
-}
-
-fn radius<T: Signed, const D: usize, V: Id, K: Metric<D> + ?Sized>(
-    kernel: &K,
-    simplex: &[V],
-    point: impl Fn(V) -> Homogeneous<T, D>,
-    number: impl Fn(f64) -> T,
-) -> Radius<T> {
-    let points = simplex.iter().map(|&v| point(v)).collect();
-    let weights = simplex.iter().map(|&v| kernel.weight_of(v).map(&number)).collect();
-    let (points, weights): Simplex<T, D> = (points, weights);
-    Radius::of_simplex(&points, weights.as_deref())
+    let vertices = simplex.iter().copied();
+    let points: SmallVec<[_; 4]> = vertices.clone().map(|v| kernel.exact_point(v)).collect();
+    let weights: SmallVec<[_; 4]> = weights(kernel, vertices).map(Dyadic::from).collect();
+    Radius::of_simplex(&points, (!weights.is_empty()).then_some(&weights[..]))
 }
 
 /// For kernels over plain points.

@@ -4,26 +4,9 @@ use std::cmp::Ordering;
 
 use smallvec::SmallVec;
 
+use crate::Sign;
+use crate::formula::{Call, Formula, Signed};
 use crate::ring::{Homogeneous, Matrix, Ring, dot, minus, times};
-use crate::{Approximate, Dyadic, Sign};
-
-/// A ring whose numbers have a sign, if it is known.
-pub(super) trait Signed: Ring {
-    /// The sign, unless the number is too inexact.
-    fn known_sign(&self) -> Option<Sign>;
-}
-
-impl Signed for Approximate {
-    fn known_sign(&self) -> Option<Sign> {
-        self.sign()
-    }
-}
-
-impl Signed for Dyadic {
-    fn known_sign(&self) -> Option<Sign> {
-        Some(self.sign())
-    }
-}
 
 fn compare<T: Signed>(a: T, b: &T) -> Option<Ordering> {
     Some(order(minus(a, b).known_sign()?))
@@ -41,10 +24,60 @@ fn square<T: Ring>(a: &T) -> T {
     times(a, a)
 }
 
+/// Of two edges, the order of their lengths.
+pub(super) struct Lengths;
+
+impl<const D: usize> Formula<D> for Lengths {
+    type Answer = Ordering;
+    fn answer<T: Signed>(&self, call: &Call<T, D>) -> Option<Ordering> {
+        let [a, b, c, d] = call.points.as_slice() else { panic!("two edges have four ends") };
+        compare_lengths([a, b], [c, d])
+    }
+}
+
+/// Of two times three points, the order of the angles.
+pub(super) struct Angles;
+
+impl<const D: usize> Formula<D> for Angles {
+    type Answer = Ordering;
+    fn answer<T: Signed>(&self, call: &Call<T, D>) -> Option<Ordering> {
+        let [a, b, c, d, e, f] = call.points.as_slice() else { panic!("angles have three points") };
+        compare_angles([a, b, c], [d, e, f])
+    }
+}
+
+/// The order of the radii of two simplices, the first of so many points. Squares are their weights, if they have any.
+pub(crate) struct Radii(pub(crate) usize);
+
+impl<const D: usize> Formula<D> for Radii {
+    type Answer = Ordering;
+    const IS_LONG: bool = true;
+    fn answer<T: Signed>(&self, call: &Call<T, D>) -> Option<Ordering> {
+        let (s, t) = call.points.split_at(self.0);
+        let [of_s, of_t] = match call.squares.split_at_checked(self.0) {
+            None | Some((_, [])) => [None; 2],
+            Some((of_s, of_t)) => [Some(of_s), Some(of_t)],
+        };
+        Radius::of_simplex(s, of_s).compare(&Radius::of_simplex(t, of_t))
+    }
+}
+
+/// The order of a simplex's squared radius and the last of the squares; the others are weights.
+pub(super) struct RadiusOver;
+
+impl<const D: usize> Formula<D> for RadiusOver {
+    type Answer = Ordering;
+    fn answer<T: Signed>(&self, call: &Call<T, D>) -> Option<Ordering> {
+        let (bound, weights) = call.squares.split_last().expect("a bound");
+        let weights = (!weights.is_empty()).then_some(weights);
+        Radius::of_simplex(&call.points, weights).compare(&Radius::of_square(bound.clone()))
+    }
+}
+
 /// The order of two squared lengths.
-pub(super) fn compare_lengths<T: Signed, const D: usize>(
-    [a, b]: &[Homogeneous<T, D>; 2],
-    [c, d]: &[Homogeneous<T, D>; 2],
+fn compare_lengths<T: Signed, const D: usize>(
+    [a, b]: [&Homogeneous<T, D>; 2],
+    [c, d]: [&Homogeneous<T, D>; 2],
 ) -> Option<Ordering> {
     let (ab, cd) = (b.all_from(a), d.all_from(c));
     let (w_ab, w_cd) = (square(&times(&a.w, &b.w)), square(&times(&c.w, &d.w)));
@@ -59,7 +92,7 @@ struct Angle<T> {
 }
 
 impl<T: Signed> Angle<T> {
-    fn of<const D: usize>([p, at, q]: &[Homogeneous<T, D>; 3]) -> Option<Self> {
+    fn of<const D: usize>([p, at, q]: [&Homogeneous<T, D>; 3]) -> Option<Self> {
         let (p, q) = (p.all_from(at), q.all_from(at));
         let (dot_pq, squares) = (dot(&p, &q), [dot(&p, &p), dot(&q, &q)]);
         let [side_p, side_q] = squares.each_ref().map(Signed::known_sign);
@@ -72,9 +105,9 @@ impl<T: Signed> Angle<T> {
 }
 
 /// The order of two angles: that of their cosines, reversed.
-pub(super) fn compare_angles<T: Signed, const D: usize>(
-    abc: &[Homogeneous<T, D>; 3],
-    def: &[Homogeneous<T, D>; 3],
+fn compare_angles<T: Signed, const D: usize>(
+    abc: [&Homogeneous<T, D>; 3],
+    def: [&Homogeneous<T, D>; 3],
 ) -> Option<Ordering> {
     let (first, second) = (Angle::of(abc)?, Angle::of(def)?);
     let of_signs = second.sign.cmp(&first.sign);
