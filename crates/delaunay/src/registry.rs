@@ -10,7 +10,7 @@ use delone_probe::{Event, Probe, Unstoppable};
 use delone_sites::Sites;
 
 use crate::bowyer_watson::construct;
-use crate::{Delaunay, divide_conquer, divide_conquer_in_parallel, flips, naive_mesh};
+use crate::{Delaunay, divide_conquer, divide_conquer_in_parallel, flips, naive_mesh, sweep};
 
 /// Which kernel answers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -132,6 +132,15 @@ fn lawson(sites: &Sites<2>, options: &Options, probe: &mut impl Probe) -> Delaun
     })
 }
 
+/// Fortune's sweep.
+fn fortune(sites: &Sites<2>, options: &Options, probe: &mut impl Probe) -> Delaunay<2> {
+    let points = sites.points();
+    Delaunay::new(match options.kernel {
+        KernelKind::Adaptive => sweep(&Adaptive::new(points), sites, probe),
+        KernelKind::Exact => sweep(&Exact::new(points), sites, probe),
+    })
+}
+
 /// Algorithms of the plane.
 fn planar() -> Vec<Algorithm<2>> {
     let divide_conquer = Algorithm {
@@ -164,7 +173,14 @@ fn planar() -> Vec<Algorithm<2>> {
         run: |sites, options| lawson(sites, options, &mut ()),
         run_with: |sites, options, mut probe| lawson(sites, options, &mut probe),
     };
-    vec![divide_conquer, flips]
+    let sweep = Algorithm {
+        name: "sweep",
+        papers: &["For87", "Law77", "DT11"],
+        sites_max: usize::MAX,
+        run: |sites, options| fortune(sites, options, &mut ()),
+        run_with: |sites, options, mut probe| fortune(sites, options, &mut probe),
+    };
+    vec![divide_conquer, flips, sweep]
 }
 
 /// These rows if D is their dimension K, else none. Where D is K, the two types are one, and a cast finds out.

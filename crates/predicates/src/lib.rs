@@ -18,6 +18,7 @@
 //! | sites with weights, for regular triangulations | [`Weighted`] |
 //! | points on segments, crossings of lines and planes, exact | [`Constructed`] |
 //! | lengths, angles, radii to compare | [`Metric`], which these kernels are |
+//! | a sweep of the plane to write | [`SweepKernel`] |
 //! | doubts about a filter | [`Exact`], the same answers without filters |
 //! | an opponent to compare with | [`RobustCrate`] (expansions), [`Naive`] (plain doubles) |
 //! | to know what is asked, and which stage answers | [`Counting`] around any kernel |
@@ -53,6 +54,7 @@ mod ring;
 mod robust_crate;
 mod sign;
 mod stage;
+mod sweep;
 mod weighted;
 
 pub use adaptive::{Adaptive, Exact};
@@ -69,6 +71,7 @@ pub use ring::{Homogeneous, Ring};
 pub use robust_crate::RobustCrate;
 pub use sign::{Side, Sign};
 pub use stage::Stage;
+pub use sweep::{CircleEvent, SweepKernel};
 pub use weighted::Weighted;
 
 /// The largest dimension that predicates go to.

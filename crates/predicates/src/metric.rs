@@ -24,7 +24,8 @@ use crate::dyadic::nearest_ratio;
 use crate::kernel::{Id, Kernel};
 use crate::ring::Homogeneous;
 use crate::{Approximate, Constructed, Dyadic, Weighted};
-use formulas::{Radius, Signed};
+use formulas::Radius;
+pub(crate) use formulas::Signed;
 
 mod formulas;
 #[cfg(test)]

@@ -6,7 +6,7 @@ use crate::ring::{Homogeneous, Matrix, Ring, dot, minus, times};
 use crate::{Approximate, Dyadic, Sign};
 
 /// A ring whose numbers have a sign, if it is known.
-pub(super) trait Signed: Ring {
+pub(crate) trait Signed: Ring {
     /// The sign, unless the number is too inexact.
     fn known_sign(&self) -> Option<Sign>;
 }
