@@ -22,7 +22,7 @@
 //! | [`flip_to_delaunay`] | \[Law77\] | O(n^2) | you have some triangulation of the plane |
 //! | [`regular()`] | \[ES96\] | expected O(n log n) in the plane | sites have weights |
 //! | [`Dynamic`] | \[Bow81\], \[DT03\] | O(degree) after location | sites come and go |
-//! | [`delaunay_unless_stopped`] | | | it may take long, and be cancelled |
+//! | [`delaunay_unless_stopped`], [`regular_unless_stopped`] | | | it may take long, and be cancelled |
 //! | [`locate()`], [`nearest_sites`], [`natural_neighbours`] | \[DPT02\], \[Sib80\] | O(1) a point if there are many | you have points to ask about |
 //! | [`PowerDiagram`] | | O(n) | you want Voronoi's diagram, exactly |
 //! | [`naive_delaunay`] | the definition | O(n^(D+2)) | to test the others |
@@ -69,9 +69,10 @@ pub use natural::natural_neighbours;
 pub use nearest::nearest_sites;
 pub use numbers::ExactPoint;
 pub use registry::{
-    Algorithm, KernelKind, Options, Order, Stopped, algorithms, delaunay, delaunay_unless_stopped,
+    Algorithm, KernelKind, Options, Order, Stoppable, Stopped, algorithms, delaunay,
+    delaunay_unless_stopped,
 };
-pub use regular::{Regular, regular};
+pub use regular::{Regular, regular, regular_unless_stopped};
 pub use result::{Delaunay, Fingerprint};
 pub use sweep::sweep;
 pub use voronoi::{Dual, PowerDiagram, Region};

@@ -16,6 +16,7 @@ mod pictures;
 mod progress;
 mod result;
 mod subject;
+mod watch;
 
 use std::process::ExitCode;
 

@@ -83,7 +83,9 @@ impl Outcome<'_> {
         spent.extend(write.map(|write| format!("write {}", seconds(write))));
         rows.push(("seconds", spent.join(", ")));
         for (key, value) in &self.extra {
-            rows.push((key, value.to_string()));
+            let told =
+                value.as_array().map_or(value.to_string(), |list| grouped(list.len() as u64));
+            rows.push((key, told));
         }
         if let Some(counts) = &self.counts {
             let counts = counts.named().into_iter().filter(|&(_, count)| count > 0);

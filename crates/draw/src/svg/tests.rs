@@ -130,3 +130,17 @@ fn the_same_picture_is_the_same_bytes() {
     square().write_svg(&numbered(), &mut out).unwrap();
     assert_eq!(out, square().svg(&numbered()).into_bytes());
 }
+
+#[test]
+fn regions_are_outlines_and_the_picture_is_as_large_as_they_ask() {
+    let regions = [
+        vec![[-1.0, -1.0], [2.0, -1.0], [2.0, 2.0], [-1.0, 2.0]],
+        vec![[0.0, 0.0], [f64::NAN, 0.0], [1.0, 1.0]],
+    ];
+    let text = Picture { regions: &regions, ..square() }.svg(&Style::default());
+    let document = Document::parse(&text).unwrap();
+    let d = path(&document, "region").unwrap();
+    assert_eq!(d.matches('M').count(), 1);
+    assert!(d.starts_with("M14 786L786 786L786 14"), "from edge to edge of the picture: {d}");
+    assert!(text.contains("1 elements left out"), "{text}");
+}

@@ -1,72 +1,115 @@
 //! `delone delaunay` and `delone cdt`: read, validate, build, judge, write, tell.
 
 use std::path::Path;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
+use delone_delaunay::Stopped;
 use delone_draw::{Anchor, Report, Style, Tone};
-use serde_json::{Map, json};
+use delone_probe::Probe;
 
 use crate::cli;
-use crate::engine::{self, Triangulation};
+use crate::engine::{self, Built, Triangulation};
 use crate::failure::Failure;
 use crate::pictures::Drawing;
 use crate::progress::Progress;
 use crate::result::{Outcome, Seconds, describe};
 use crate::subject::Subject;
+use crate::watch::{self, Watch};
 use crate::{input, output};
 
 pub(crate) fn delaunay(arguments: &cli::Triangulate) -> Result<(), Failure> {
+    let limit = watch::limit(arguments.time_limit)?;
     let start = Instant::now();
-    let document = input::read(&arguments.source.input, arguments.source.format.as_deref())?;
-    let notes = document.notes.clone();
+    let mut document = input::read(&arguments.source.input, arguments.source.format.as_deref())?;
+    input::take_weights(&mut document, arguments.weights.file.as_deref())?;
     let subject = Subject::points(document)?;
-    let mut extra = Map::new();
-    extra.insert("hidden".to_owned(), json!([]));
+    if arguments.voronoi && subject.document.dimension != 2 {
+        return Err(Failure::input("--voronoi is for the plane, and the input is in space"));
+    }
     let read = start.elapsed().as_secs_f64();
-    triangulate(
-        "delone.delaunay/1",
-        &subject,
-        &arguments.run,
-        &arguments.report,
-        read,
-        extra,
-        notes,
-    )
+    let ask = Ask {
+        schema: "delone.delaunay/1",
+        run: &arguments.run,
+        report: &arguments.report,
+        limit,
+        voronoi: arguments.voronoi,
+    };
+    triangulate(&ask, &subject, read)
 }
 
 pub(crate) fn cdt(arguments: &cli::Cdt) -> Result<(), Failure> {
     let cli::Crossings::Reject = arguments.crossings;
     let start = Instant::now();
     let document = input::read(&arguments.source.input, arguments.source.format.as_deref())?;
-    let notes = document.notes.clone();
     let subject = Subject::graph(document)?;
-    let mut extra = Map::new();
-    extra.insert("steiner".to_owned(), json!(0));
     let read = start.elapsed().as_secs_f64();
-    triangulate("delone.cdt/1", &subject, &arguments.run, &arguments.report, read, extra, notes)
+    let ask = Ask {
+        schema: "delone.cdt/1",
+        run: &arguments.run,
+        report: &arguments.report,
+        limit: None,
+        voronoi: false,
+    };
+    triangulate(&ask, &subject, read)
 }
 
-fn triangulate(
+/// What is asked for, whatever the command.
+struct Ask<'a> {
     schema: &'static str,
+    run: &'a cli::Run,
+    report: &'a cli::Report,
+    limit: Option<Duration>,
+    voronoi: bool,
+}
+
+/// The algorithm to run: under a time limit, one that can be stopped.
+fn choose(subject: &Subject, ask: &Ask<'_>) -> Result<&'static str, Failure> {
+    let asked = ask.run.algorithm.as_deref();
+    if ask.limit.is_none() {
+        return engine::choose(subject, asked);
+    }
+    let stoppable = engine::stoppable(subject);
+    let chosen = engine::choose(subject, asked.or(stoppable.first().copied()))?;
+    if stoppable.contains(&chosen) {
+        return Ok(chosen);
+    }
+    let those = stoppable.join(", ");
+    Err(Failure::input(format!("--time-limit: {chosen} cannot be stopped, but {those} can")))
+}
+
+/// Runs the algorithm, and stops it where that is asked for and it can be stopped.
+fn build(
+    ask: &Ask<'_>,
     subject: &Subject,
-    run: &cli::Run,
-    report: &cli::Report,
-    read: f64,
-    extra: Map<String, serde_json::Value>,
-    notes: Vec<String>,
-) -> Result<(), Failure> {
-    let algorithm = engine::choose(subject, run.algorithm.as_deref())?;
+    algorithm: &'static str,
+    progress: &mut Progress,
+) -> Result<Built, Failure> {
+    // Counting and showing progress cost time: what is timed runs without, unless the run is long.
+    let is_long = subject.site_count() > 1_000_000;
+    let listens = ask.report.counts || is_long;
+    let options = engine::options(ask.run);
+    let progress = listens.then_some(progress);
+    let is_watched = is_long || ask.limit.is_some();
+    if !is_watched || !engine::stoppable(subject).contains(&algorithm) {
+        let probe = progress.map(|progress| progress as &mut dyn Probe);
+        return Ok(engine::run(subject, algorithm, &options, probe));
+    }
+    let mut watch = Watch::start(progress, ask.limit);
+    engine::run_unless_stopped(subject, algorithm, &options, &mut watch)
+        .map_err(|Stopped| Failure::Limit(format!("{}: {watch}", subject.name())))
+}
+
+fn triangulate(ask: &Ask<'_>, subject: &Subject, read: f64) -> Result<(), Failure> {
+    let Ask { schema, run, report, .. } = *ask;
+    let algorithm = choose(subject, ask)?;
     for path in &report.outputs {
         output::format_to_write(path)?;
     }
     output::check_paths(written(report))?;
     let mut progress = Progress::new(algorithm, report.voice.quiet);
-    // Counting and showing progress cost time: what is timed runs without, unless the run is long.
-    let is_long = subject.site_count() > 1_000_000;
-    let listens = report.counts || is_long;
-    let options = engine::options(run);
-    let built = engine::run(subject, algorithm, &options, listens.then_some(&mut progress));
+    let built = build(ask, subject, algorithm, &mut progress);
     progress.finish();
+    let built = built?;
     let mut seconds = Seconds { read, build: built.seconds, ..Seconds::default() };
     let triangulation = built.triangulation;
     let clock = Instant::now();
@@ -85,11 +128,11 @@ fn triangulate(
         seconds,
         counts: report.counts.then_some(progress.counts),
         verdict,
-        extra,
-        notes,
+        extra: triangulation.extra(subject),
+        notes: subject.document.notes.clone(),
     };
     let clock = Instant::now();
-    write_results(report, &triangulation, &mut outcome)?;
+    write_results(ask, &triangulation, &mut outcome)?;
     tell(report, &mut outcome, clock.elapsed().as_secs_f64())
 }
 
@@ -99,11 +142,11 @@ fn written(report: &cli::Report) -> impl Iterator<Item = &Path> {
 }
 
 fn write_results(
-    report: &cli::Report,
+    ask: &Ask<'_>,
     triangulation: &Triangulation,
     outcome: &mut Outcome<'_>,
 ) -> Result<(), Failure> {
-    let subject = outcome.subject;
+    let (subject, report) = (outcome.subject, ask.report);
     if !report.outputs.is_empty() {
         let document = triangulation.document(subject);
         for path in &report.outputs {
@@ -114,7 +157,10 @@ fn write_results(
         }
     }
     if report.svg.is_some() || report.html.is_some() {
-        let drawing = Drawing::of(subject, Some(triangulation));
+        let mut drawing = Drawing::of(subject, Some(triangulation));
+        if ask.voronoi {
+            drawing.add_regions(subject, triangulation);
+        }
         let style = Style { title: describe(subject), ..Style::default() };
         if let Some(path) = &report.svg {
             output::text(path, &drawing.svg(&style))?;
