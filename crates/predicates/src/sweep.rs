@@ -12,7 +12,7 @@
 //! the sign of X + sqrt P - sqrt Q, which takes two squarings and a look at signs.
 //!
 //! **Stages.** Arcs: doubles that carry their error bounds ([`Approximate`]), then dyadic numbers. Circle events: an interval
-//! of doubles, rounded outwards, found once for each; where two overlap, dyadic numbers. [`Exact`] has no first stage.
+//! of doubles, rounded outwards, found once for each; where two overlap, dyadic numbers, which are kept. [`Exact`] has no first stage.
 //!
 //! **Degeneracies.**
 //! | case | answer | test |
@@ -22,6 +22,7 @@
 //! | one root or both are whole, or vanish | the signs of what is left decide | `signs_with_roots_are_those_of_numbers` |
 //! | sites far apart in the range of doubles | the interval is infinite | `all_doubles_are_ordered` |
 
+use std::cell::OnceCell;
 use std::cmp::Ordering;
 
 use crate::kernel::Id;
@@ -56,14 +57,14 @@ pub trait SweepKernel: Metric<2> {
     /// The event at which the circle through three sites, which turn left, touches the line from behind.
     fn circle_event<V: Id>(&self, sites: [V; 3]) -> CircleEvent<V> {
         let near = Circle::of(sites.map(|v| self.approximate_point(v).x));
-        CircleEvent { sites, span: near.rightmost() }
+        CircleEvent { sites, span: near.rightmost(), exact: OnceCell::new() }
     }
 
     /// The order in which the line comes to two circle events.
     fn compare_events<V: Id>(&self, e: &CircleEvent<V>, f: &CircleEvent<V>) -> Ordering {
         e.span.compare(f.span).unwrap_or_else(|| {
-            let [e, f] = [e, f].map(|event| exact_circle(self, event));
-            e.compare(&f)
+            let [e, f] = [e, f].map(|event| event.rightmost(self));
+            e.compare(f)
         })
     }
 
@@ -73,7 +74,7 @@ pub trait SweepKernel: Metric<2> {
         let [low, high] = near.bounds();
         event.span.compare(Span { low, high }).unwrap_or_else(|| {
             let [x, _] = self.exact_point(p).x;
-            exact_circle(self, event).compare_with(&x)
+            event.rightmost(self).compare_with(&x)
         })
     }
 }
@@ -83,16 +84,28 @@ impl<P: AsRef<[[f64; 2]]>> SweepKernel for Adaptive<P> {}
 impl<P: AsRef<[[f64; 2]]>> SweepKernel for Exact<P> {}
 
 /// A circle event: three sites, and about where the line is when it comes to it.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct CircleEvent<V> {
     sites: [V; 3],
     span: Span,
+    /// Exactly where, once that was asked: ties come in crowds.
+    exact: OnceCell<Box<Rightmost>>,
 }
 
 impl<V: Copy> CircleEvent<V> {
     /// The sites, which turn left.
     pub const fn sites(&self) -> [V; 3] {
         self.sites
+    }
+}
+
+impl<V: Id> CircleEvent<V> {
+    fn rightmost(&self, kernel: &(impl Metric<2> + ?Sized)) -> &Rightmost {
+        self.exact.get_or_init(|| {
+            let Circle { x, n, squares: [p, q, r], d } =
+                Circle::of(self.sites.map(|v| kernel.exact_point(v).x));
+            Box::new(Rightmost { x, n, s: p * q * r, d })
+        })
     }
 }
 
@@ -165,34 +178,30 @@ impl Circle<Approximate> {
     }
 }
 
-fn exact_circle<V: Id>(
-    kernel: &(impl Metric<2> + ?Sized),
-    event: &CircleEvent<V>,
-) -> Circle<Dyadic> {
-    Circle::of(event.sites.map(|v| kernel.exact_point(v).x))
+/// Exactly x + (n + sqrt s) / d.
+#[derive(Clone, Debug, PartialEq)]
+struct Rightmost {
+    x: Dyadic,
+    n: Dyadic,
+    s: Dyadic,
+    d: Dyadic,
 }
 
-impl Circle<Dyadic> {
-    /// S.
-    fn radicand(&self) -> Dyadic {
-        let [first, second, third] = &self.squares;
-        &(first * second) * third
-    }
-
-    /// The order of the rightmost point and of x: the sign of (a.x - x) D + N + sqrt S.
+impl Rightmost {
+    /// The order of this point and of x: the sign of (self.x - x) d + n + sqrt s.
     fn compare_with(&self, x: &Dyadic) -> Ordering {
         let rational = times(&minus(self.x.clone(), x), &self.d) + &self.n;
-        sign_with_root(&rational, &self.radicand()).cmp(&Sign::Zero)
+        sign_with_root(&rational, &self.s).cmp(&Sign::Zero)
     }
 
-    /// The order of two rightmost points.
+    /// The order of two such points.
     fn compare(&self, other: &Self) -> Ordering {
-        if (&self.n, &self.d, &self.squares) == (&other.n, &other.d, &other.squares) {
+        if (&self.n, &self.s, &self.d) == (&other.n, &other.s, &other.d) {
             return self.x.cmp(&other.x); // one triangle, moved: what grids are made of
         }
         let apart = minus(self.x.clone(), &other.x) * &(&self.d * &other.d);
         let rational = minor(&self.n, &other.n, &self.d, &other.d) + &apart;
-        let [p, q] = [(self, other), (other, self)].map(|(a, b)| a.radicand() * &(&b.d * &b.d));
+        let [p, q] = [(self, other), (other, self)].map(|(a, b)| &a.s * &(&b.d * &b.d));
         sign_with_roots(&rational, &p, &q).cmp(&Sign::Zero)
     }
 }
