@@ -108,7 +108,7 @@ fn cocircular_sites_are_swept() {
                 .map(|(_, &point)| point)
                 .collect();
             let counts = check_exactly(&some);
-            assert!(some.len() < 3 || counts.cells_made as usize == some.len() - 2);
+            assert!(some.len() < 3 || counts.cells_made == some.len() as u64 - 2);
             // The centre, and a site on the line that touches the circle.
             let [r, height] = [f64::from(radius), dice(seed, 99, 9) - 4.0];
             check_exactly(&some.iter().copied().chain([[0.0, 0.0]]).collect::<Vec<_>>());
@@ -166,7 +166,7 @@ fn the_queue_holds_few_false_alarms() {
     let points: Vec<[f64; 2]> =
         (0..2000u64).map(|i| [dice(1, 2 * i, 1 << 30), dice(1, 2 * i + 1, 1 << 30)]).collect();
     let (mesh, counts) = check(&points);
-    assert_eq!(counts.cells_made as usize, mesh.solid_cells().count());
+    assert_eq!(counts.cells_made, mesh.solid_cells().count() as u64);
     assert_eq!((counts.sites, counts.flips), (1998, 0), "no ties, no flips");
     // Each site event asks for two, and each circle event for two: six a site, of which one in two turns the right way.
     assert!(

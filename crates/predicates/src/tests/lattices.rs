@@ -5,7 +5,7 @@ use crate::*;
 /// Numbers below `count`, the same ones each time.
 fn random(state: &mut u64, count: u32) -> u32 {
     *state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-    u32::try_from((*state >> 33) * u64::from(count) >> 31).unwrap()
+    u32::try_from(((*state >> 33) * u64::from(count)) >> 31).unwrap()
 }
 
 /// Points of the lattice `0 ..= top` times `unit`, corners among them.
@@ -41,6 +41,9 @@ fn stages<const D: usize>(points: &[[f64; D]]) -> [Vec<Stage>; 2] {
 fn all_static(stages: &[Stage]) -> bool {
     stages.iter().all(|&stage| stage == Stage::StaticFilter)
 }
+
+/// The height of a point.
+type Lift = fn([f64; 2]) -> f64;
 
 #[test]
 fn small_lattices_are_decided_in_doubles() {
@@ -82,7 +85,7 @@ fn determinants_on_two_axes_of_a_plane_in_space_are_exact() {
     let mut ties = 0;
     for plane in sets {
         // z = 2x, z = 0, z = -y: on these axes the plane is not seen edge-on.
-        let lifts: [(fn([f64; 2]) -> f64, &[[usize; 2]]); 3] = [
+        let lifts: [(Lift, &[[usize; 2]]); 3] = [
             (|[x, _]| 2.0 * x, &[[0, 1], [1, 2], [2, 1]]),
             (|_| 0.0, &[[0, 1], [1, 0]]),
             (|[_, y]| -y, &[[0, 1], [0, 2], [2, 0]]),
