@@ -18,10 +18,11 @@
 //! | [`divide_conquer()`] | \[GS85\], \[Dwy87\] | O(n log n) | the plane: the fastest, and on several threads |
 //! | [`bowyer_watson()`] | \[Bow81\], \[Wat81\] | expected O(n log n) in the plane | any dimension, your own kernel |
 //! | [`flips()`] | \[Law77\], \[GKS92\] | expected O(n log n) | the plane, to compare |
+//! | [`sweep()`] | \[For87\] | O(n log n) | the plane, to compare |
 //! | [`flip_to_delaunay`] | \[Law77\] | O(n^2) | you have some triangulation of the plane |
 //! | [`regular()`] | \[ES96\] | expected O(n log n) in the plane | sites have weights |
 //! | [`Dynamic`] | \[Bow81\], \[DT03\] | O(degree) after location | sites come and go |
-//! | [`delaunay_unless_stopped`] | | | it may take long, and be cancelled |
+//! | [`delaunay_unless_stopped`], [`regular_unless_stopped`] | | | it may take long, and be cancelled |
 //! | [`locate()`], [`nearest_sites`], [`natural_neighbours`] | \[DPT02\], \[Sib80\] | O(1) a point if there are many | you have points to ask about |
 //! | [`PowerDiagram`] | | O(n) | you want Voronoi's diagram, exactly |
 //! | [`naive_delaunay`] | the definition | O(n^(D+2)) | to test the others |
@@ -34,7 +35,7 @@
 //! With weights: [`delone_sites::WeightedSites`] in, [`Regular`] out, which names the hidden sites. What can be stopped says so
 //! in its name. Constructions ([`PowerDiagram`]) are rational and exact, but for what is called rounded, or drawn.
 //!
-//! **Not here.** Fortune's sweep. Constraints (`delone-cdt`), judgement (`delone-check`).
+//! **Not here.** Constraints (`delone-cdt`), judgement (`delone-check`).
 
 mod bowyer_watson;
 mod conflict;
@@ -53,6 +54,7 @@ mod registry;
 mod regular;
 mod result;
 mod star;
+mod sweep;
 mod voronoi;
 
 pub use bowyer_watson::bowyer_watson;
@@ -67,10 +69,12 @@ pub use natural::natural_neighbours;
 pub use nearest::nearest_sites;
 pub use numbers::ExactPoint;
 pub use registry::{
-    Algorithm, KernelKind, Options, Order, Stopped, algorithms, delaunay, delaunay_unless_stopped,
+    Algorithm, KernelKind, Options, Order, Stoppable, Stopped, algorithms, delaunay,
+    delaunay_unless_stopped,
 };
-pub use regular::{Regular, regular};
+pub use regular::{Regular, regular, regular_unless_stopped};
 pub use result::{Delaunay, Fingerprint};
+pub use sweep::sweep;
 pub use voronoi::{Dual, PowerDiagram, Region};
 
 #[cfg(test)]

@@ -10,7 +10,7 @@ use delone_probe::{Event, Probe, Unstoppable};
 use delone_sites::Sites;
 
 use crate::bowyer_watson::construct;
-use crate::{Delaunay, divide_conquer, divide_conquer_in_parallel, flips, naive_mesh};
+use crate::{Delaunay, divide_conquer, divide_conquer_in_parallel, flips, naive_mesh, sweep};
 
 /// Which kernel answers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -87,7 +87,13 @@ pub struct Algorithm<const D: usize> {
     pub run: fn(&Sites<D>, &Options) -> Delaunay<D>,
     /// Runs it, on one thread, and tells the probe.
     pub run_with: fn(&Sites<D>, &Options, &mut dyn Probe) -> Delaunay<D>,
+    /// Runs it, on one thread, and stops if the probe does not go on; `None` if it cannot be stopped.
+    pub run_unless_stopped: Option<Stoppable<D>>,
 }
+
+/// Runs an algorithm that its probe can stop.
+pub type Stoppable<const D: usize> =
+    fn(&Sites<D>, &Options, &mut dyn Probe) -> Result<Delaunay<D>, Stopped>;
 
 /// All algorithms that run in D dimensions; the first is the one to take if nothing speaks for another.
 #[must_use]
@@ -99,6 +105,9 @@ pub fn algorithms<const D: usize>() -> Vec<Algorithm<D>> {
         sites_max: usize::MAX,
         run: |sites, options| delaunay(sites, options, &mut ()),
         run_with: |sites, options, mut probe| delaunay(sites, options, &mut probe),
+        run_unless_stopped: Some(|sites, options, mut probe| {
+            delaunay_unless_stopped(sites, options, &mut probe)
+        }),
     });
     rows.push(Algorithm {
         name: "naive",
@@ -110,6 +119,7 @@ pub fn algorithms<const D: usize>() -> Vec<Algorithm<D>> {
             probe.on(Event::Site { done: sites.len(), total: sites.len() });
             result
         },
+        run_unless_stopped: None,
     });
     rows
 }
@@ -129,6 +139,15 @@ fn lawson(sites: &Sites<2>, options: &Options, probe: &mut impl Probe) -> Delaun
     Delaunay::new(match options.kernel {
         KernelKind::Adaptive => flips(&Adaptive::new(points), &order, probe),
         KernelKind::Exact => flips(&Exact::new(points), &order, probe),
+    })
+}
+
+/// Fortune's sweep.
+fn fortune(sites: &Sites<2>, options: &Options, probe: &mut impl Probe) -> Delaunay<2> {
+    let points = sites.points();
+    Delaunay::new(match options.kernel {
+        KernelKind::Adaptive => sweep(&Adaptive::new(points), sites, probe),
+        KernelKind::Exact => sweep(&Exact::new(points), sites, probe),
     })
 }
 
@@ -156,6 +175,7 @@ fn planar() -> Vec<Algorithm<2>> {
                 KernelKind::Exact => divide_conquer(&Exact::new(points), sites, &mut probe),
             })
         },
+        run_unless_stopped: None,
     };
     let flips = Algorithm {
         name: "flips",
@@ -163,8 +183,17 @@ fn planar() -> Vec<Algorithm<2>> {
         sites_max: usize::MAX,
         run: |sites, options| lawson(sites, options, &mut ()),
         run_with: |sites, options, mut probe| lawson(sites, options, &mut probe),
+        run_unless_stopped: None,
     };
-    vec![divide_conquer, flips]
+    let sweep = Algorithm {
+        name: "sweep",
+        papers: &["For87", "Law77", "DT11"],
+        sites_max: usize::MAX,
+        run: |sites, options| fortune(sites, options, &mut ()),
+        run_with: |sites, options, mut probe| fortune(sites, options, &mut probe),
+        run_unless_stopped: None,
+    };
+    vec![divide_conquer, flips, sweep]
 }
 
 /// These rows if D is their dimension K, else none. Where D is K, the two types are one, and a cast finds out.
@@ -236,13 +265,21 @@ pub fn delaunay_unless_stopped<const D: usize>(
     options: &Options,
     probe: &mut impl Probe,
 ) -> Result<Delaunay<D>, Stopped> {
+    unless_stopped(probe, |probe| by_bowyer_watson(sites, options, probe)).map(Delaunay::new)
+}
+
+/// What `work` gives, unless its probe did not let it go on.
+pub(crate) fn unless_stopped<P: Probe, R>(
+    probe: P,
+    work: impl FnOnce(&mut Watched<P>) -> R,
+) -> Result<R, Stopped> {
     let mut watched = Watched { probe, is_stopped: false };
-    let mesh = by_bowyer_watson(sites, options, &mut watched);
-    if watched.is_stopped { Err(Stopped) } else { Ok(Delaunay::new(mesh)) }
+    let result = work(&mut watched);
+    if watched.is_stopped { Err(Stopped) } else { Ok(result) }
 }
 
 /// A probe that remembers having stopped.
-struct Watched<P> {
+pub(crate) struct Watched<P> {
     probe: P,
     is_stopped: bool,
 }

@@ -22,10 +22,12 @@
 
 use delone_mesh::Mesh;
 use delone_predicates::Weighted;
-use delone_probe::Probe;
+use delone_probe::{Probe, Unstoppable};
 use delone_sites::WeightedSites;
 
-use crate::{Fingerprint, Options, bowyer_watson};
+use crate::bowyer_watson::construct;
+use crate::registry::unless_stopped;
+use crate::{Fingerprint, Options, Stopped};
 
 /// The regular triangulation of sites with weights, ties broken by the sites' lexicographic order.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -108,9 +110,31 @@ pub fn regular<const D: usize>(
     options: &Options,
     probe: &mut impl Probe,
 ) -> Regular<D> {
-    let order = options.order(sites.sites());
+    Regular::new(by_bowyer_watson(sites, options, &mut Unstoppable(probe)), sites.sites().len())
+}
+
+/// The mesh of sites; of some of them, if the probe does not go on.
+fn by_bowyer_watson<const D: usize>(
+    sites: &WeightedSites<D>,
+    options: &Options,
+    probe: &mut impl Probe,
+) -> Mesh<D> {
     let kernel = Weighted::new(sites.sites().points(), sites.weights());
-    Regular::new(bowyer_watson(&kernel, &order, probe), order.len())
+    construct(&kernel, &options.order(sites.sites()), probe)
+}
+
+/// The same as [`regular()`], unless the probe says, between two sites, not to go on. As
+/// [`crate::delaunay_unless_stopped`].
+///
+/// # Errors
+/// If the probe stopped it.
+pub fn regular_unless_stopped<const D: usize>(
+    sites: &WeightedSites<D>,
+    options: &Options,
+    probe: &mut impl Probe,
+) -> Result<Regular<D>, Stopped> {
+    let mesh = unless_stopped(probe, |probe| by_bowyer_watson(sites, options, probe))?;
+    Ok(Regular::new(mesh, sites.sites().len()))
 }
 
 #[cfg(test)]

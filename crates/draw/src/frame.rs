@@ -21,9 +21,9 @@ pub(crate) struct Frame<const D: usize> {
 
 impl<const D: usize> Frame<D> {
     /// Around the finite ones of `points`.
-    pub(crate) fn around(points: &[[f64; D]]) -> Self {
+    pub(crate) fn around<'p>(points: impl IntoIterator<Item = &'p [f64; D]>) -> Self {
         let (mut low, mut high) = ([f64::INFINITY; D], [f64::NEG_INFINITY; D]);
-        for p in points.iter().filter(|p| is_finite(p)) {
+        for p in points.into_iter().filter(|p| is_finite(p)) {
             for i in 0..D {
                 (low[i], high[i]) = (low[i].min(p[i]), high[i].max(p[i]));
             }

@@ -34,6 +34,9 @@ pub struct Picture<'a> {
     pub names: &'a [u32],
     /// One class for each triangle: 0 is left empty, others take turns in a palette of eight.
     pub classes: &'a [u32],
+    /// Polygons by their corners, such as the regions of Voronoi's diagram, drawn as outlines. The picture is as large as they
+    /// ask for; one with a corner that is not finite is left out.
+    pub regions: &'a [Vec<[f64; 2]>],
 }
 
 /// How to draw it.
@@ -137,7 +140,8 @@ impl Picture<'_> {
     }
 
     pub(crate) fn frame(&self) -> Frame<2> {
-        Frame::around(self.points)
+        let corners = self.regions.iter().flatten();
+        Frame::around(self.points.iter().chain(corners))
     }
 
     fn description(&self, layout: &Layout) -> String {
@@ -163,6 +167,7 @@ impl Picture<'_> {
             + self.triangles.iter().filter(|t| bad(*t)).count()
             + self.segments.iter().chain(self.highlights).filter(|s| bad(*s)).count()
             + self.marked.iter().filter(|&&v| bad(&[v])).count()
+            + self.regions.iter().filter(|region| layout.polygon(region).is_none()).count()
     }
 }
 

@@ -14,7 +14,7 @@ use clap_complete::Shell;
     long_about = "A laboratory for robust triangulation: exact Delaunay and constrained Delaunay triangulations, judged \
                   by a checker that shares nothing with them.",
     after_help = "Exit status: 0 done (and, with --check, proved); 1 a judge or comparison found a difference;\n\
-                  2 bad usage or bad input, nothing written.\n\n\
+                  2 bad usage or bad input, nothing written; 3 a limit was reached, nothing written.\n\n\
                   Examples:\n  \
                   delone compare                              the built-in suite, every algorithm, judged and timed\n  \
                   delone compare lake.poly --html report.html the same on a file, with a report to look at\n  \
@@ -30,7 +30,7 @@ pub(crate) struct Arguments {
 pub(crate) enum Command {
     /// Run every algorithm on inputs (the built-in suite when none), judge, count, time and compare
     Compare(Compare),
-    /// Delaunay triangulation, in the input's dimension
+    /// Delaunay or, with weights, regular triangulation, in the input's dimension
     Delaunay(Triangulate),
     /// Constrained Delaunay triangulation of a planar straight-line graph
     Cdt(Cdt),
@@ -72,9 +72,25 @@ pub(crate) struct Triangulate {
     #[command(flatten)]
     pub(crate) source: Source,
     #[command(flatten)]
+    pub(crate) weights: Weights,
+    /// Stop after so many seconds, with exit status 3 and nothing written
+    #[arg(long, value_name = "SECONDS")]
+    pub(crate) time_limit: Option<f64>,
+    /// Draw Voronoi's diagram too; with weights, the power diagram
+    #[arg(long)]
+    pub(crate) voronoi: bool,
+    #[command(flatten)]
     pub(crate) run: Run,
     #[command(flatten)]
     pub(crate) report: Report,
+}
+
+/// Where weights come from.
+#[derive(Args)]
+pub(crate) struct Weights {
+    /// Take the weights of the points from this file, a number for each, instead of the input's
+    #[arg(long = "weights", value_name = "FILE")]
+    pub(crate) file: Option<PathBuf>,
 }
 
 #[derive(Args)]
@@ -272,6 +288,8 @@ pub(crate) struct Check {
     /// What it should be
     #[arg(long = "as", value_enum)]
     pub(crate) kind: Claim,
+    #[command(flatten)]
+    pub(crate) weights: Weights,
     /// Demand the one answer of the lexicographic perturbation, positively oriented, as delone gives it
     #[arg(long)]
     pub(crate) strict: bool,
@@ -285,6 +303,8 @@ pub(crate) enum Claim {
     Delaunay,
     /// A constrained Delaunay triangulation
     Cdt,
+    /// The regular triangulation of points with weights
+    Regular,
 }
 
 #[derive(Args)]
@@ -345,6 +365,11 @@ pub(crate) struct Draw {
     /// Draw circumcircles
     #[arg(long)]
     pub(crate) circumcircles: bool,
+    /// Draw Voronoi's diagram of the points too; with weights, the power diagram
+    #[arg(long, conflicts_with = "bare")]
+    pub(crate) voronoi: bool,
+    #[command(flatten)]
+    pub(crate) weights: Weights,
     /// Draw the input as it is, without triangulating it
     #[arg(long)]
     pub(crate) bare: bool,

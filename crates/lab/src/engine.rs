@@ -4,11 +4,15 @@ use std::time::Instant;
 
 use delone_cdt::{Cdt, Domain, Fill, FillError};
 use delone_check::Verdict;
-use delone_delaunay::{Delaunay, Fingerprint, KernelKind, Options, Order};
+use delone_delaunay::{
+    Delaunay, Fingerprint, KernelKind, Options, Order, Regular, Stopped, regular,
+    regular_unless_stopped,
+};
 use delone_formats::Document;
 use delone_mesh::Mesh;
 use delone_probe::Probe;
-use delone_sites::Arrangement;
+use delone_sites::{Arrangement, WeightedSites};
+use serde_json::{Map, Value, json};
 
 use crate::cli;
 use crate::failure::Failure;
@@ -19,8 +23,28 @@ use crate::subject::{Body, Subject};
 pub(crate) enum Triangulation {
     Plane(Delaunay<2>),
     Space(Delaunay<3>),
+    RegularPlane(Regular<2>),
+    RegularSpace(Regular<3>),
     Constrained(Cdt),
 }
+
+/// Evaluates `$answer` with the mesh of any result, named `$mesh`.
+macro_rules! with_mesh {
+    ($triangulation:expr, $mesh:ident => $answer:expr) => {
+        with_mesh!($triangulation, $mesh => $answer; Plane Space RegularPlane RegularSpace Constrained)
+    };
+    ($triangulation:expr, $mesh:ident => $answer:expr; $($kind:ident)*) => {
+        match $triangulation {
+            $(Triangulation::$kind(result) => {
+                let $mesh = result.mesh();
+                $answer
+            })*
+        }
+    };
+}
+
+/// The one algorithm for sites with weights.
+const FOR_WEIGHTS: &str = "bowyer-watson";
 
 /// A result, and the seconds that its construction took.
 pub(crate) struct Built {
@@ -55,6 +79,7 @@ pub(crate) fn names(subject: &Subject) -> Vec<&'static str> {
     match &subject.body {
         Body::Plane(sites) => delaunay::<2>(sites.len()),
         Body::Space(sites) => delaunay::<3>(sites.len()),
+        Body::WeightedPlane(_) | Body::WeightedSpace(_) => vec![FOR_WEIGHTS],
         Body::Graph(_) | Body::Crossed(_) => {
             let rows = delone_cdt::algorithms();
             let fits = |row: &&delone_cdt::Algorithm| subject.vertex_count() <= row.sites_max;
@@ -85,6 +110,20 @@ pub(crate) fn choose(subject: &Subject, asked: Option<&str>) -> Result<&'static 
     })
 }
 
+/// The algorithms that apply and can be stopped.
+pub(crate) fn stoppable(subject: &Subject) -> Vec<&'static str> {
+    fn delaunay<const D: usize>() -> Vec<&'static str> {
+        let rows = delone_delaunay::algorithms::<D>();
+        rows.iter().filter(|row| row.run_unless_stopped.is_some()).map(|row| row.name).collect()
+    }
+    match &subject.body {
+        Body::Plane(_) => delaunay::<2>(),
+        Body::Space(_) => delaunay::<3>(),
+        Body::WeightedPlane(_) | Body::WeightedSpace(_) => vec![FOR_WEIGHTS],
+        Body::Graph(_) | Body::Crossed(_) => Vec::new(),
+    }
+}
+
 /// Runs an algorithm that applies to the subject; `probe` listens if there is one.
 ///
 /// # Panics
@@ -99,17 +138,23 @@ pub(crate) fn run(
         ($algorithms:expr, $input:expr, $wrap:expr) => {{
             let algorithm = $algorithms.into_iter().find(|algorithm| algorithm.name == name);
             let algorithm = algorithm.expect("the name was chosen from these");
-            let start = Instant::now();
-            let result = match probe {
-                None => (algorithm.run)($input, options),
-                Some(probe) => (algorithm.run_with)($input, options, probe),
-            };
-            Built { seconds: start.elapsed().as_secs_f64(), triangulation: $wrap(result) }
+            timed(|| {
+                $wrap(match probe {
+                    None => (algorithm.run)($input, options),
+                    Some(probe) => (algorithm.run_with)($input, options, probe),
+                })
+            })
         }};
     }
     match &subject.body {
         Body::Plane(sites) => run!(delone_delaunay::algorithms::<2>(), sites, Triangulation::Plane),
         Body::Space(sites) => run!(delone_delaunay::algorithms::<3>(), sites, Triangulation::Space),
+        Body::WeightedPlane(sites) => {
+            timed(|| Triangulation::RegularPlane(by_weights(sites, options, probe)))
+        }
+        Body::WeightedSpace(sites) => {
+            timed(|| Triangulation::RegularSpace(by_weights(sites, options, probe)))
+        }
         Body::Graph(pslg) => run!(delone_cdt::algorithms(), pslg, Triangulation::Constrained),
         Body::Crossed(graph) => run_crossed(graph, name, probe),
     }
@@ -128,6 +173,58 @@ fn run_crossed(graph: &Arrangement, name: &str, probe: Option<&mut dyn Probe>) -
     Built { seconds, triangulation: Triangulation::Constrained(result) }
 }
 
+fn timed(work: impl FnOnce() -> Triangulation) -> Built {
+    let start = Instant::now();
+    let triangulation = work();
+    Built { triangulation, seconds: start.elapsed().as_secs_f64() }
+}
+
+fn by_weights<const D: usize>(
+    sites: &WeightedSites<D>,
+    options: &Options,
+    probe: Option<&mut dyn Probe>,
+) -> Regular<D> {
+    match probe {
+        None => regular(sites, options, &mut ()),
+        Some(mut probe) => regular(sites, options, &mut probe),
+    }
+}
+
+/// Runs an algorithm that can be stopped, unless the probe says not to go on.
+///
+/// # Panics
+/// If the algorithm is none of [`stoppable`].
+pub(crate) fn run_unless_stopped(
+    subject: &Subject,
+    name: &str,
+    options: &Options,
+    mut probe: &mut dyn Probe,
+) -> Result<Built, Stopped> {
+    macro_rules! run {
+        ($d:literal, $sites:expr) => {{
+            let rows = delone_delaunay::algorithms::<$d>();
+            let row = rows.into_iter().find(|row| row.name == name);
+            let run = row.and_then(|row| row.run_unless_stopped);
+            run.expect("the name was chosen from these")($sites, options, probe)
+        }};
+    }
+    let start = Instant::now();
+    let triangulation = match &subject.body {
+        Body::Plane(sites) => Triangulation::Plane(run!(2, sites)?),
+        Body::Space(sites) => Triangulation::Space(run!(3, sites)?),
+        Body::WeightedPlane(sites) => {
+            Triangulation::RegularPlane(regular_unless_stopped(sites, options, &mut probe)?)
+        }
+        Body::WeightedSpace(sites) => {
+            Triangulation::RegularSpace(regular_unless_stopped(sites, options, &mut probe)?)
+        }
+        Body::Graph(_) | Body::Crossed(_) => {
+            unreachable!("no algorithm for segments can be stopped")
+        }
+    };
+    Ok(Built { triangulation, seconds: start.elapsed().as_secs_f64() })
+}
+
 /// Counts that results print.
 pub(crate) struct Sizes {
     pub(crate) vertices: usize,
@@ -143,18 +240,34 @@ fn sizes_of<const D: usize>(mesh: &Mesh<D>, vertices: usize) -> Sizes {
 
 impl Triangulation {
     pub(crate) fn sizes(&self, subject: &Subject) -> Sizes {
-        let vertices = subject.vertex_count();
-        match self {
-            Self::Plane(result) => sizes_of(result.mesh(), vertices),
-            Self::Space(result) => sizes_of(result.mesh(), vertices),
-            Self::Constrained(result) => sizes_of(result.mesh(), vertices),
-        }
+        let hidden = match self {
+            Self::RegularPlane(result) => result.hidden().len(),
+            Self::RegularSpace(result) => result.hidden().len(),
+            _ => 0,
+        };
+        with_mesh!(self, mesh => sizes_of(mesh, subject.vertex_count() - hidden))
+    }
+
+    /// What only results of this kind have to tell.
+    pub(crate) fn extra(&self, subject: &Subject) -> Map<String, Value> {
+        let (key, value) = match (self, &subject.body) {
+            (Self::RegularPlane(result), Body::WeightedPlane(sites)) => {
+                ("hidden", json!(result.hidden_inputs(sites)))
+            }
+            (Self::RegularSpace(result), Body::WeightedSpace(sites)) => {
+                ("hidden", json!(result.hidden_inputs(sites)))
+            }
+            _ => ("hidden", json!([])),
+        };
+        [(key.to_owned(), value)].into_iter().collect()
     }
 
     pub(crate) fn fingerprint(&self, subject: &Subject) -> Fingerprint {
         match (self, &subject.body) {
             (Self::Plane(result), Body::Plane(sites)) => result.fingerprint(sites),
             (Self::Space(result), Body::Space(sites)) => result.fingerprint(sites),
+            (Self::RegularPlane(result), Body::WeightedPlane(sites)) => result.fingerprint(sites),
+            (Self::RegularSpace(result), Body::WeightedSpace(sites)) => result.fingerprint(sites),
             (Self::Constrained(result), Body::Graph(pslg)) => result.fingerprint(pslg),
             (Self::Constrained(result), Body::Crossed(graph)) => result.fingerprint(graph),
             _ => unreachable!("a result belongs to its subject"),
@@ -165,6 +278,12 @@ impl Triangulation {
         match (self, &subject.body) {
             (Self::Plane(result), Body::Plane(sites)) => judge::delaunay(sites, result),
             (Self::Space(result), Body::Space(sites)) => judge::delaunay(sites, result),
+            (Self::RegularPlane(result), Body::WeightedPlane(sites)) => {
+                judge::regular(sites, result)
+            }
+            (Self::RegularSpace(result), Body::WeightedSpace(sites)) => {
+                judge::regular(sites, result)
+            }
             (Self::Constrained(result), Body::Graph(pslg)) => judge::cdt(pslg, result),
             (Self::Constrained(result), Body::Crossed(graph)) => judge::arranged(graph, result),
             _ => unreachable!("a result belongs to its subject"),
@@ -174,13 +293,7 @@ impl Triangulation {
     /// The solid cells as input points, flat, and how many make a cell.
     pub(crate) fn cells(&self, subject: &Subject) -> (Vec<u32>, usize) {
         let names = subject.names();
-        let (ids, count) = match self {
-            Self::Plane(result) => (judge::solid_ids(result.mesh()), result.mesh().corner_count()),
-            Self::Space(result) => (judge::solid_ids(result.mesh()), result.mesh().corner_count()),
-            Self::Constrained(result) => {
-                (judge::solid_ids(result.mesh()), result.mesh().corner_count())
-            }
-        };
+        let (ids, count) = with_mesh!(self, mesh => (judge::solid_ids(mesh), mesh.corner_count()));
         (ids.into_iter().map(|site| names[site as usize]).collect(), count)
     }
 

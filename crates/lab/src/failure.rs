@@ -9,6 +9,8 @@ pub(crate) enum Failure {
     Difference(Option<String>),
     /// 2: bad usage or bad input.
     Input(String),
+    /// 3: a limit was reached.
+    Limit(String),
 }
 
 impl Failure {
@@ -20,6 +22,7 @@ impl Failure {
         match self {
             Self::Difference(_) => 1,
             Self::Input(_) => 2,
+            Self::Limit(_) => 3,
         }
     }
 }
@@ -29,6 +32,7 @@ impl fmt::Display for Failure {
         match self {
             Self::Difference(message) => f.write_str(message.as_deref().unwrap_or("")),
             Self::Input(message) => write!(f, "error: {message}"),
+            Self::Limit(message) => write!(f, "stopped: {message}"),
         }
     }
 }

@@ -33,6 +33,28 @@ pub(crate) fn read(path: &Path, format: Option<&str>) -> Result<Document, Failur
     one(read_all(path, format)?, &path.to_string_lossy()).map_err(Failure::input)
 }
 
+/// Replaces the document's weights by those of a file, one number for each point, between blanks, commas or line ends.
+/// `#` starts a comment.
+pub(crate) fn take_weights(document: &mut Document, file: Option<&Path>) -> Result<(), Failure> {
+    let Some(path) = file else { return Ok(()) };
+    let name = path.display();
+    let text = std::fs::read_to_string(path)
+        .map_err(|error| Failure::input(format!("{name}: {error}")))?;
+    let mut weights = Vec::new();
+    for (number, line) in (1..).zip(text.lines()) {
+        let words = line.split('#').next().unwrap_or("");
+        let words = words.split(|c: char| c == ',' || c.is_whitespace());
+        for word in words.filter(|word| !word.is_empty()) {
+            let weight: f64 = word.parse().map_err(|_| {
+                Failure::input(format!("{name}:{number}: {word} is no number: give one a point"))
+            })?;
+            weights.push(weight);
+        }
+    }
+    document.weights = Some(weights);
+    Ok(())
+}
+
 /// The files below the given paths, those of folders in order of their names.
 pub(crate) fn files(paths: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
     let mut files = Vec::new();

@@ -3,11 +3,11 @@
 use delone_cdt::Cdt;
 use delone_check::{
     Arranged, Complex, Links, Options, Verdict, judge_arranged, judge_constrained, judge_delaunay,
-    judge_links,
+    judge_links, judge_regular,
 };
-use delone_delaunay::Delaunay;
+use delone_delaunay::{Delaunay, Regular};
 use delone_mesh::Mesh;
-use delone_sites::{Arrangement, Noded, Pslg, Sites};
+use delone_sites::{Arrangement, Noded, Pslg, Sites, WeightedSites};
 
 /// The solid cells as ids of vertices, as the mesh has them.
 pub(crate) fn solid_ids<const D: usize>(mesh: &Mesh<D>) -> Vec<u32> {
@@ -28,6 +28,15 @@ pub(crate) fn delaunay<const D: usize>(sites: &Sites<D>, result: &Delaunay<D>) -
     let cells = solid_ids(mesh);
     let complex = Complex { points: sites.points(), dimension: mesh.dimension(), cells: &cells };
     joined(links(mesh), judge_delaunay(&complex, &options))
+}
+
+/// Judges a regular triangulation, and what is hidden.
+pub(crate) fn regular<const D: usize>(sites: &WeightedSites<D>, result: &Regular<D>) -> Verdict {
+    let mesh = result.mesh();
+    let cells = solid_ids(mesh);
+    let points = sites.sites().points();
+    let complex = Complex { points, dimension: mesh.dimension(), cells: &cells };
+    joined(links(mesh), judge_regular(&complex, sites.weights(), &Options::default()))
 }
 
 /// Judges a CDT against the segments as they were given.

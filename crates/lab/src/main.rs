@@ -17,6 +17,7 @@ mod pictures;
 mod progress;
 mod result;
 mod subject;
+mod watch;
 
 use std::process::ExitCode;
 

@@ -83,7 +83,9 @@ impl Outcome<'_> {
         spent.extend(write.map(|write| format!("write {}", seconds(write))));
         rows.push(("seconds", spent.join(", ")));
         for (key, value) in &self.extra {
-            rows.push((key, value.to_string()));
+            let told =
+                value.as_array().map_or(value.to_string(), |list| grouped(list.len() as u64));
+            rows.push((key, told));
         }
         if let Some(counts) = &self.counts {
             let counts = counts.named().into_iter().filter(|&(_, count)| count > 0);
@@ -148,7 +150,7 @@ pub(crate) fn input(subject: &Subject) -> Value {
     let noded = match &subject.body {
         Body::Graph(pslg) => Some((pslg.subsegments().len(), pslg.dropped())),
         Body::Crossed(graph) => Some((graph.subsegments().len(), graph.dropped())),
-        Body::Plane(_) | Body::Space(_) => None,
+        _ => None,
     };
     if let Some((subsegments, dropped)) = noded {
         object["subsegments"] = json!(subsegments);

@@ -1,7 +1,7 @@
 //! A validated input: what an algorithm is run on, and in what terms its result is told.
 
 use delone_formats::Document;
-use delone_sites::{Arrangement, Noded, Pslg, PslgError, Sites};
+use delone_sites::{Arrangement, Noded, Pslg, PslgError, Sites, WeightedSites};
 use delone_workloads::{Input, Points};
 
 use crate::failure::Failure;
@@ -18,10 +18,40 @@ pub(crate) enum Body {
     Plane(Sites<2>),
     /// Points of space.
     Space(Sites<3>),
+    /// Points of the plane with weights.
+    WeightedPlane(WeightedSites<2>),
+    /// Points of space with weights.
+    WeightedSpace(WeightedSites<3>),
     /// Points and segments of the plane.
     Graph(Pslg),
     /// Points and segments of the plane that may cross, cut there.
     Crossed(Arrangement),
+}
+
+/// Evaluates `$answer` with the sites of any body, named `$sites`.
+macro_rules! with_sites {
+    ($body:expr, $sites:ident => $answer:expr) => {
+        match $body {
+            Body::Plane($sites) => $answer,
+            Body::Space($sites) => $answer,
+            Body::WeightedPlane(weighted) => {
+                let $sites = weighted.sites();
+                $answer
+            }
+            Body::WeightedSpace(weighted) => {
+                let $sites = weighted.sites();
+                $answer
+            }
+            Body::Graph(pslg) => {
+                let $sites = pslg.sites();
+                $answer
+            }
+            Body::Crossed(graph) => {
+                let $sites = graph.sites();
+                $answer
+            }
+        }
+    };
 }
 
 impl Subject {
@@ -33,15 +63,14 @@ impl Subject {
         Self::points(document)
     }
 
-    /// Takes points alone.
+    /// Takes points alone, with their weights if they have any.
     pub(crate) fn points(document: Document) -> Result<Self, Failure> {
-        let refuse = |message: String| refusal(&document, &message);
         let body = if document.dimension == 3 {
             let points = document.points_3d().map_err(Failure::input)?;
-            Body::Space(Sites::new(&points).map_err(|error| refuse(error.to_string()))?)
+            sites_body(&document, &points, Body::Space, Body::WeightedSpace)?
         } else {
             let points = document.points_2d().map_err(Failure::input)?;
-            Body::Plane(Sites::new(&points).map_err(|error| refuse(error.to_string()))?)
+            sites_body(&document, &points, Body::Plane, Body::WeightedPlane)?
         };
         Ok(Self { document, body })
     }
@@ -90,21 +119,11 @@ impl Subject {
     }
 
     pub(crate) fn site_count(&self) -> usize {
-        match &self.body {
-            Body::Plane(sites) => sites.len(),
-            Body::Space(sites) => sites.len(),
-            Body::Graph(pslg) => pslg.sites().len(),
-            Body::Crossed(graph) => graph.sites().len(),
-        }
+        with_sites!(&self.body, sites => sites.len())
     }
 
     pub(crate) fn duplicate_count(&self) -> usize {
-        match &self.body {
-            Body::Plane(sites) => sites.duplicate_count(),
-            Body::Space(sites) => sites.duplicate_count(),
-            Body::Graph(pslg) => pslg.sites().duplicate_count(),
-            Body::Crossed(graph) => graph.sites().duplicate_count(),
-        }
+        with_sites!(&self.body, sites => sites.duplicate_count())
     }
 
     /// Sites, and crossings that became vertices.
@@ -120,15 +139,34 @@ impl Subject {
         }
     }
 
-    /// The number of each vertex in a list of all input points followed by the vertices that are none.
+    /// The number of each vertex in a list of all input points followed by the vertices that are none. A site stands for
+    /// the first input point at its position; with weights, for the heaviest.
     pub(crate) fn names(&self) -> Vec<u32> {
         match &self.body {
             Body::Plane(sites) => sites.input_of().to_vec(),
             Body::Space(sites) => sites.input_of().to_vec(),
+            Body::WeightedPlane(sites) => sites.input_of().to_vec(),
+            Body::WeightedSpace(sites) => sites.input_of().to_vec(),
             Body::Graph(pslg) => pslg.names(),
             Body::Crossed(graph) => graph.names(),
         }
     }
+}
+
+/// Points as sites, with their weights if they have any.
+fn sites_body<const D: usize>(
+    document: &Document,
+    points: &[[f64; D]],
+    plain: fn(Sites<D>) -> Body,
+    weighted: fn(WeightedSites<D>) -> Body,
+) -> Result<Body, Failure> {
+    match &document.weights {
+        None => Sites::new(points).map(plain).map_err(|error| error.to_string()),
+        Some(weights) => {
+            WeightedSites::new(points, weights).map(weighted).map_err(|error| error.to_string())
+        }
+    }
+    .map_err(|message| refusal(document, &message))
 }
 
 /// The document of a generated input.

@@ -53,6 +53,15 @@ impl Approximate {
         certain.then(|| Sign::of(self.value))
     }
 
+    /// Two doubles that the number is between; infinite or NaN where nothing is known.
+    #[inline]
+    pub(crate) fn bounds(self) -> [f64; 2] {
+        if self.error == 0.0 {
+            return [self.value; 2];
+        }
+        [(self.value - self.error).next_down(), (self.value + self.error).next_up()]
+    }
+
     #[inline]
     fn rounded_sum(self, other: Self, value: f64) -> Self {
         if self.error == 0.0 && other.error == 0.0 && value == 0.0 {

@@ -19,6 +19,7 @@
 //! | sites with weights, for regular triangulations | [`Weighted`] |
 //! | points on segments, crossings of lines and planes, exact | [`Constructed`] |
 //! | lengths, angles, radii to compare | [`Metric`], which these kernels are |
+//! | a sweep of the plane to write | [`SweepKernel`] |
 //! | doubts about a filter | [`Exact`], the same answers without filters |
 //! | exact numbers of another crate | [`ExactOver`], over any ring; feature `rug` for GMP's |
 //! | an opponent to compare with | [`RobustCrate`] (expansions), [`Naive`] (plain doubles) |
@@ -64,6 +65,7 @@ mod ring;
 mod robust_crate;
 mod sign;
 mod stage;
+mod sweep;
 mod weighted;
 
 pub use adaptive::{Adaptive, Exact};
@@ -81,6 +83,7 @@ pub use ring::{Homogeneous, Ring};
 pub use robust_crate::RobustCrate;
 pub use sign::{Side, Sign};
 pub use stage::Stage;
+pub use sweep::{CircleEvent, SweepKernel};
 pub use weighted::Weighted;
 
 /// The largest dimension that predicates go to.

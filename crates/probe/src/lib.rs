@@ -37,7 +37,7 @@ pub enum Event {
         /// Sites to insert in all.
         total: usize,
     },
-    /// Location crossed one facet.
+    /// Location crossed one facet, or compared a site with one place of a beach line.
     WalkStep,
     /// A cavity of this many cells was dug and starred.
     Cavity {
@@ -46,6 +46,8 @@ pub enum Event {
     },
     /// One flip.
     Flip,
+    /// A sweep expects an arc to vanish. Those that do not make a cell were false alarms.
+    CircleEvent,
     /// One cell was made.
     CellMade,
     /// A segment on its way through the mesh crossed an edge.
@@ -105,7 +107,7 @@ pub struct Counts {
     pub in_spheres: u64,
     /// Sites inserted.
     pub sites: u64,
-    /// Facets crossed in location.
+    /// Steps of location: facets crossed, places of a beach line compared with.
     pub walk_steps: u64,
     /// Cavities dug.
     pub cavities: u64,
@@ -115,6 +117,8 @@ pub struct Counts {
     pub cavity_cells_max: u64,
     /// Flips.
     pub flips: u64,
+    /// Circle events that a sweep expected.
+    pub circle_events: u64,
     /// Cells made.
     pub cells_made: u64,
     /// Edges crossed by segments on their way through the mesh.
@@ -136,6 +140,7 @@ impl Probe for Counts {
                 self.cavity_cells_max = self.cavity_cells_max.max(cells as u64);
             }
             Event::Flip => self.flips += 1,
+            Event::CircleEvent => self.circle_events += 1,
             Event::CellMade => self.cells_made += 1,
             Event::EdgeCrossed => self.edges_crossed += 1,
             Event::Subsegment => self.subsegments += 1,
@@ -146,7 +151,7 @@ impl Probe for Counts {
 impl Counts {
     /// Each tally under its name, in a fixed order.
     #[must_use]
-    pub fn named(&self) -> [(&'static str, u64); 11] {
+    pub fn named(&self) -> [(&'static str, u64); 12] {
         [
             ("orients", self.orients),
             ("in_spheres", self.in_spheres),
@@ -156,6 +161,7 @@ impl Counts {
             ("cavity_cells", self.cavity_cells),
             ("cavity_cells_max", self.cavity_cells_max),
             ("flips", self.flips),
+            ("circle_events", self.circle_events),
             ("cells_made", self.cells_made),
             ("edges_crossed", self.edges_crossed),
             ("subsegments", self.subsegments),

@@ -12,13 +12,16 @@ fn counts_tally_each_kind_under_its_own_name() {
         Event::Cavity { cells: 5 },
         Event::Cavity { cells: 3 },
         Event::Flip,
+        Event::CircleEvent,
+        Event::CircleEvent,
+        Event::CircleEvent,
         Event::CellMade,
         Event::EdgeCrossed,
         Event::Subsegment,
     ];
     events.iter().for_each(|&event| counts.on(event));
     let values: Vec<u64> = counts.named().iter().map(|&(_, value)| value).collect();
-    assert_eq!(values, [1, 2, 1, 1, 2, 8, 5, 1, 1, 1, 1]);
+    assert_eq!(values, [1, 2, 1, 1, 2, 8, 5, 1, 3, 1, 1, 1]);
 }
 
 #[test]

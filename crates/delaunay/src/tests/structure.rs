@@ -1,7 +1,7 @@
 //! What the literature says of the work that is done, counted.
 
 use delone_probe::{Event, Probe};
-use delone_sites::scatter;
+use delone_sites::{WeightedSites, scatter};
 
 use super::*;
 
@@ -95,6 +95,16 @@ fn a_probe_stops_what_can_be_stopped_and_nothing_else() {
         delaunay_unless_stopped(&sites, &Options::default(), &mut stops(99)),
         Ok(whole.clone())
     );
+    let weighted = WeightedSites::new(sites.points(), &[1.0; 100]).unwrap();
+    let regular = |after| regular_unless_stopped(&weighted, &Options::default(), &mut stops(after));
+    assert_eq!(regular(10), Err(Stopped));
+    assert_eq!(regular(99).unwrap().canonical(), whole.canonical());
+    for algorithm in algorithms::<2>() {
+        if let Some(run) = algorithm.run_unless_stopped {
+            assert_eq!(run(&sites, &Options::default(), &mut stops(10)), Err(Stopped));
+            assert_eq!(run(&sites, &Options::default(), &mut stops(99)), Ok(whole.clone()));
+        }
+    }
     for algorithm in algorithms::<2>().iter().filter(|a| a.sites_max >= sites.len()) {
         let result = (algorithm.run_with)(&sites, &Options::default(), &mut stops(10));
         assert_eq!(result.canonical(), whole.canonical(), "{}", algorithm.name);

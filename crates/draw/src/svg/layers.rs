@@ -23,6 +23,7 @@ impl<'a> Layers<'a> {
     pub(super) fn write(&self, out: &mut String) {
         self.fills(out);
         let thin = self.layout.thin();
+        self.regions(out, (1.4 * thin).max(0.5));
         if self.style.circumcircles {
             self.circumcircles(out);
         }
@@ -60,6 +61,26 @@ impl<'a> Layers<'a> {
             let colour = PALETTE[turn];
             let _ = write!(out, "<path class=\"fill fill{turn}\" fill=\"{colour}\" d=\"{d}\"/>");
         }
+    }
+
+    fn regions(&self, out: &mut String, width: f64) {
+        let mut d = String::new();
+        for region in self.picture.regions {
+            let Some(corners) = self.layout.polygon(region) else { continue };
+            for (i, &[x, y]) in corners.iter().enumerate() {
+                let _ = write!(d, "{}{} {}", if i == 0 { 'M' } else { 'L' }, Short(x), Short(y));
+            }
+            d.push('Z');
+        }
+        if d.is_empty() {
+            return;
+        }
+        let _ = write!(
+            out,
+            "<path class=\"region\" fill=\"none\" stroke=\"#b8642b\" stroke-width=\"{}\" \
+             stroke-linejoin=\"round\" d=\"{d}\"/>",
+            Short(width)
+        );
     }
 
     fn circumcircles(&self, out: &mut String) {

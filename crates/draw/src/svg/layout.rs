@@ -1,6 +1,7 @@
 //! Where each vertex comes to lie on the screen, and how thick things are.
 
 use super::{Aspect, Picture, Style};
+use crate::frame::Frame;
 use crate::num::{at, real};
 
 const MARGIN: f64 = 14.0;
@@ -20,6 +21,9 @@ pub(crate) struct Layout {
     pub(crate) stretched: bool,
     /// Median length on the screen of the edges, or the mean distance of sites if there are none.
     pub(crate) edge: f64,
+    frame: Frame<2>,
+    /// Pixels that each axis takes.
+    lengths: [f64; 2],
 }
 
 impl Layout {
@@ -46,13 +50,22 @@ impl Layout {
         // Pixels that each axis takes, and the side of the picture that holds it in its middle.
         let lengths = if stretched { [inner, 0.62 * inner] } else { [inner * wide, inner * high] };
         let sides = lengths.map(|length| length.max(SIDE_MIN) + 2.0 * MARGIN);
-        let screen = |[x, y]: [f64; 2]| {
-            let x = sides[0] / 2.0 + (x - 0.5) * lengths[0];
-            [x, sides[1] / 2.0 - (y - 0.5) * lengths[1]]
-        };
-        let places: Vec<_> = picture.points.iter().map(|&p| frame.unit(p).map(screen)).collect();
-        let edge = typical_edge(picture, &places, lengths);
-        Self { size: sides, places, stretched, edge }
+        let mut layout =
+            Self { size: sides, places: Vec::new(), stretched, edge: 0.0, frame, lengths };
+        layout.places = picture.points.iter().map(|&p| layout.screen(p)).collect();
+        layout.edge = typical_edge(picture, &layout.places, lengths);
+        layout
+    }
+
+    /// Where a point comes to lie on the screen.
+    fn screen(&self, p: [f64; 2]) -> Option<[f64; 2]> {
+        let ([x, y], [wide, high]) = (self.frame.unit(p)?, self.lengths);
+        Some([self.size[0] / 2.0 + (x - 0.5) * wide, self.size[1] / 2.0 - (y - 0.5) * high])
+    }
+
+    /// The same for all corners of a polygon.
+    pub(crate) fn polygon(&self, corners: &[[f64; 2]]) -> Option<Vec<[f64; 2]>> {
+        corners.iter().map(|&p| self.screen(p)).collect()
     }
 
     pub(crate) fn place(&self, v: u32) -> Option<[f64; 2]> {

@@ -176,3 +176,17 @@ fn panels_stand_in_rows_of_two() {
         .collect();
     assert_eq!(places, [[0.0, 26.0], [200.0, 26.0], [0.0, 252.0]]);
 }
+
+#[test]
+fn regions_are_outlines_and_the_picture_is_as_large_as_they_ask() {
+    let regions = [
+        vec![[-1.0, -1.0], [2.0, -1.0], [2.0, 2.0], [-1.0, 2.0]],
+        vec![[0.0, 0.0], [f64::NAN, 0.0], [1.0, 1.0]],
+    ];
+    let text = Picture { regions: &regions, ..square() }.svg(&Style::default());
+    let document = Document::parse(&text).unwrap();
+    let d = path(&document, "region").unwrap();
+    assert_eq!(d.matches('M').count(), 1);
+    assert!(d.starts_with("M14 786L786 786L786 14"), "from edge to edge of the picture: {d}");
+    assert!(text.contains("1 elements left out"), "{text}");
+}

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use delone_check::{Complex, Options, Verdict, judge_constrained, judge_delaunay};
+use delone_check::{Complex, Options, Verdict, judge_constrained, judge_delaunay, judge_regular};
 use delone_formats::{Document, Format, Source, one, read_bytes, write};
 use serde_json::json;
 
@@ -12,7 +12,8 @@ use crate::input;
 use crate::result::{check_value, verdict_text};
 
 pub(crate) fn check(arguments: &cli::Check) -> Result<(), Failure> {
-    let given = input::read(&arguments.input, None)?;
+    let mut given = input::read(&arguments.input, None)?;
+    input::take_weights(&mut given, arguments.weights.file.as_deref())?;
     let output = read_output(&arguments.output, &given)?;
     let verdict = if given.dimension == 3 {
         judge_space(arguments, &given, &output)?
@@ -54,12 +55,13 @@ fn judge_plane(
 ) -> Result<Verdict, Failure> {
     let points = given.points_2d().map_err(Failure::input)?;
     let names = names(&points, &output.points_2d().map_err(Failure::input)?, output)?;
-    let (dimension, cells) = cells(points.len(), output, &names);
+    let (dimension, cells) = cells(lone(given), output, &names);
     let complex = Complex { points: &points, dimension, cells: &cells };
     let edges: Vec<[u32; 2]> =
         output.segments.iter().map(|ends| ends.map(|id| names[id as usize])).collect();
     Ok(match arguments.kind {
         cli::Claim::Delaunay => judge_delaunay(&complex, &options(arguments)),
+        cli::Claim::Regular => judge_regular(&complex, weights(given)?, &options(arguments)),
         cli::Claim::Cdt => {
             judge_constrained(&complex, &given.segments, &edges, &options(arguments))
         }
@@ -76,14 +78,30 @@ fn judge_space(
     }
     let points = given.points_3d().map_err(Failure::input)?;
     let names = names(&points, &output.points_3d().map_err(Failure::input)?, output)?;
-    let (dimension, cells) = cells(points.len(), output, &names);
+    let (dimension, cells) = cells(lone(given), output, &names);
     let complex = Complex { points: &points, dimension, cells: &cells };
-    Ok(judge_delaunay(&complex, &options(arguments)))
+    Ok(match arguments.kind {
+        cli::Claim::Regular => judge_regular(&complex, weights(given)?, &options(arguments)),
+        _ => judge_delaunay(&complex, &options(arguments)),
+    })
+}
+
+fn weights(given: &Document) -> Result<&[f64], Failure> {
+    given.weights.as_deref().ok_or_else(|| {
+        Failure::input(format!("{}: there are no weights: give --weights FILE", given.name))
+    })
+}
+
+/// The one vertex there is if all points are equal: the first of them; with weights, the heaviest.
+fn lone(given: &Document) -> Option<u32> {
+    let weight = |i: u32| given.weights.as_ref().and_then(|w| w.get(i as usize)).copied();
+    let points = (0u32..).take(given.point_count());
+    points.reduce(|best, i| if weight(i) > weight(best) { i } else { best })
 }
 
 /// The cells of the output by input point: its simplices of the highest dimension that it has. Without any, it can only
 /// be the triangulation of a single site, or of none.
-fn cells(points: usize, output: &Document, names: &[u32]) -> (Option<usize>, Vec<u32>) {
+fn cells(lone: Option<u32>, output: &Document, names: &[u32]) -> (Option<usize>, Vec<u32>) {
     let named = |ids: &[u32]| ids.iter().map(|&id| names[id as usize]).collect::<Vec<u32>>();
     if !output.tets.is_empty() {
         (Some(3), named(output.tets.as_flattened()))
@@ -91,10 +109,8 @@ fn cells(points: usize, output: &Document, names: &[u32]) -> (Option<usize>, Vec
         (Some(2), named(output.triangles.as_flattened()))
     } else if !output.segments.is_empty() {
         (Some(1), named(output.segments.as_flattened()))
-    } else if points > 0 {
-        (Some(0), vec![0])
     } else {
-        (None, Vec::new())
+        (lone.map(|_| 0), lone.into_iter().collect())
     }
 }
 

@@ -6,7 +6,7 @@ use delone_formats::Document;
 use delone_mesh::Mesh;
 
 use crate::cli;
-use crate::engine;
+use crate::engine::{self, Triangulation};
 use crate::failure::Failure;
 use crate::pictures::Drawing;
 use crate::result::describe;
@@ -18,20 +18,29 @@ pub(crate) fn draw(arguments: &cli::Draw) -> Result<(), Failure> {
         return Err(Failure::input(format!("--size {}: give 16 pixels or more", arguments.size)));
     }
     output::check_paths(arguments.output.as_deref())?;
-    let document = input::read(&arguments.source.input, arguments.source.format.as_deref())?;
+    let mut document = input::read(&arguments.source.input, arguments.source.format.as_deref())?;
+    input::take_weights(&mut document, arguments.weights.file.as_deref())?;
     if arguments.panels {
         return write(arguments, &figure(document, arguments)?);
     }
+    if arguments.voronoi && document.dimension != 2 {
+        return Err(Failure::input("--voronoi is for the plane, and the input is in space"));
+    }
+    let points = arguments.voronoi.then(|| document.clone());
     let has_cells = !(document.triangles.is_empty() && document.tets.is_empty());
     // A picture of the input alone is wanted most when the input is refused: it needs no validation.
     let (subject, triangulation) = if arguments.bare || has_cells {
         (Subject::unchecked(document), None)
     } else {
         let subject = Subject::new(document)?;
-        let name = engine::choose(&subject, None)?;
-        let built = engine::run(&subject, name, &Options::default(), None);
-        (subject, Some(built.triangulation))
+        let triangulation = triangulated(&subject)?;
+        (subject, Some(triangulation))
     };
+    let mut drawing = Drawing::of(&subject, triangulation.as_ref());
+    if let Some(points) = points {
+        let sites = Subject::points(points)?; // whatever else is drawn
+        drawing.add_regions(&sites, &triangulated(&sites)?);
+    }
     let style = Style {
         size: arguments.size,
         numbered: arguments.numbered,
@@ -40,7 +49,6 @@ pub(crate) fn draw(arguments: &cli::Draw) -> Result<(), Failure> {
         title: describe(&subject),
         ..Style::default()
     };
-    let drawing = Drawing::of(&subject, triangulation.as_ref());
     let svg = match arguments.explode.filter(|_| !drawing.is_space()) {
         Some(factor) if factor.is_finite() => {
             Exploded::new(&drawing.plane(), factor).picture().svg(&style)
@@ -114,4 +122,9 @@ fn edges(triangles: &[[u32; 3]]) -> Vec<[u32; 2]> {
 
 fn without(edges: &[[u32; 2]], known: &[[u32; 2]]) -> Vec<[u32; 2]> {
     edges.iter().copied().filter(|edge| known.binary_search(edge).is_err()).collect()
+}
+
+fn triangulated(subject: &Subject) -> Result<Triangulation, Failure> {
+    let name = engine::choose(subject, None)?;
+    Ok(engine::run(subject, name, &Options::default(), None).triangulation)
 }

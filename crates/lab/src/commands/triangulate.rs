@@ -1,31 +1,43 @@
 //! `delone delaunay` and `delone cdt`: read, validate, build, judge, write, tell.
 
 use std::path::Path;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use delone_cdt::Domain;
+use delone_delaunay::Stopped;
 use delone_draw::{Anchor, Report, Style, Tone};
-use serde_json::{Map, json};
+use delone_probe::Probe;
+use serde_json::Map;
 
 use crate::cli;
-use crate::engine::{self, Triangulation};
+use crate::engine::{self, Built, Triangulation};
 use crate::failure::Failure;
 use crate::pictures::Drawing;
 use crate::progress::Progress;
 use crate::result::{Outcome, Seconds, describe};
 use crate::subject::{Body, Subject};
+use crate::watch::{self, Watch};
 use crate::{fill, input, judge, output};
 
 pub(crate) fn delaunay(arguments: &cli::Triangulate) -> Result<(), Failure> {
+    let limit = watch::limit(arguments.time_limit)?;
     let start = Instant::now();
-    let document = input::read(&arguments.source.input, arguments.source.format.as_deref())?;
+    let mut document = input::read(&arguments.source.input, arguments.source.format.as_deref())?;
+    input::take_weights(&mut document, arguments.weights.file.as_deref())?;
     let subject = Subject::points(document)?;
+    if arguments.voronoi && subject.document.dimension != 2 {
+        return Err(Failure::input("--voronoi is for the plane, and the input is in space"));
+    }
     let read = start.elapsed().as_secs_f64();
-    let mut extra = Map::new();
-    extra.insert("hidden".to_owned(), json!([]));
-    let job =
-        Job { schema: "delone.delaunay/1", run: &arguments.run, report: &arguments.report, read };
-    job.carry_out(&subject, |_| Ok((extra, None)))
+    let job = Job {
+        schema: "delone.delaunay/1",
+        run: &arguments.run,
+        report: &arguments.report,
+        read,
+        limit,
+        voronoi: arguments.voronoi,
+    };
+    job.carry_out(&subject, |triangulation| Ok((triangulation.extra(&subject), None)))
 }
 
 pub(crate) fn cdt(arguments: &cli::Cdt) -> Result<(), Failure> {
@@ -37,7 +49,14 @@ pub(crate) fn cdt(arguments: &cli::Cdt) -> Result<(), Failure> {
         cli::Crossings::Reject => Subject::graph(document)?,
     };
     let read = start.elapsed().as_secs_f64();
-    let job = Job { schema: "delone.cdt/1", run: &arguments.run, report: &arguments.report, read };
+    let job = Job {
+        schema: "delone.cdt/1",
+        run: &arguments.run,
+        report: &arguments.report,
+        read,
+        limit: None,
+        voronoi: false,
+    };
     job.carry_out(&subject, |triangulation| {
         let mut extra = fill::crossing_keys(triangulation, &subject);
         let domain = fill::domain(triangulation, &subject, arguments.fill)?;
@@ -59,6 +78,8 @@ struct Job<'a> {
     report: &'a cli::Report,
     /// Seconds.
     read: f64,
+    limit: Option<Duration>,
+    voronoi: bool,
 }
 
 impl Job<'_> {
@@ -67,19 +88,16 @@ impl Job<'_> {
         subject: &Subject,
         filled: impl FnOnce(&Triangulation) -> Result<Filled, Failure>,
     ) -> Result<(), Failure> {
-        let Self { schema, run, report, read } = *self;
-        let algorithm = engine::choose(subject, run.algorithm.as_deref())?;
+        let Self { schema, run, report, read, .. } = *self;
+        let algorithm = self.choose(subject)?;
         for path in &report.outputs {
             output::format_to_write(path)?;
         }
         output::check_paths(written(report))?;
         let mut progress = Progress::new(algorithm, report.voice.quiet);
-        // Counting and showing progress cost time: what is timed runs without, unless the run is long.
-        let is_long = subject.site_count() > 1_000_000;
-        let listens = report.counts || is_long;
-        let options = engine::options(run);
-        let built = engine::run(subject, algorithm, &options, listens.then_some(&mut progress));
+        let built = self.build(subject, algorithm, &mut progress);
         progress.finish();
+        let built = built?;
         let mut seconds = Seconds { read, build: built.seconds, ..Seconds::default() };
         let triangulation = built.triangulation;
         let (extra, filled) = filled(&triangulation)?;
@@ -111,8 +129,45 @@ impl Job<'_> {
         };
         let clock = Instant::now();
         let domain = filled.as_ref().map(|(domain, _)| domain);
-        write_results(report, &triangulation, domain, &mut outcome)?;
+        write_results(self, &triangulation, domain, &mut outcome)?;
         tell(report, &mut outcome, clock.elapsed().as_secs_f64())
+    }
+
+    /// The algorithm to run: under a time limit, one that can be stopped.
+    fn choose(&self, subject: &Subject) -> Result<&'static str, Failure> {
+        let asked = self.run.algorithm.as_deref();
+        if self.limit.is_none() {
+            return engine::choose(subject, asked);
+        }
+        let stoppable = engine::stoppable(subject);
+        let chosen = engine::choose(subject, asked.or(stoppable.first().copied()))?;
+        if stoppable.contains(&chosen) {
+            return Ok(chosen);
+        }
+        let those = stoppable.join(", ");
+        Err(Failure::input(format!("--time-limit: {chosen} cannot be stopped, but {those} can")))
+    }
+
+    /// Runs the algorithm, and stops it where that is asked for and it can be stopped.
+    fn build(
+        &self,
+        subject: &Subject,
+        algorithm: &'static str,
+        progress: &mut Progress,
+    ) -> Result<Built, Failure> {
+        // Counting and showing progress cost time: what is timed runs without, unless the run is long.
+        let is_long = subject.site_count() > 1_000_000;
+        let listens = self.report.counts || is_long;
+        let options = engine::options(self.run);
+        let progress = listens.then_some(progress);
+        let is_watched = is_long || self.limit.is_some();
+        if !is_watched || !engine::stoppable(subject).contains(&algorithm) {
+            let probe = progress.map(|progress| progress as &mut dyn Probe);
+            return Ok(engine::run(subject, algorithm, &options, probe));
+        }
+        let mut watch = Watch::start(progress, self.limit);
+        engine::run_unless_stopped(subject, algorithm, &options, &mut watch)
+            .map_err(|Stopped| Failure::Limit(format!("{}: {watch}", subject.name())))
     }
 }
 
@@ -122,12 +177,12 @@ fn written(report: &cli::Report) -> impl Iterator<Item = &Path> {
 }
 
 fn write_results(
-    report: &cli::Report,
+    job: &Job<'_>,
     triangulation: &Triangulation,
     domain: Option<&Domain>,
     outcome: &mut Outcome<'_>,
 ) -> Result<(), Failure> {
-    let subject = outcome.subject;
+    let (subject, report) = (outcome.subject, job.report);
     let mut document = triangulation.document(subject);
     if let Some(domain) = domain {
         triangulation.keep_inside(domain, &mut document);
@@ -141,7 +196,10 @@ fn write_results(
         }
     }
     if report.svg.is_some() || report.html.is_some() {
-        let drawing = Drawing::of_document(&document);
+        let mut drawing = Drawing::of_document(&document);
+        if job.voronoi {
+            drawing.add_regions(subject, triangulation);
+        }
         let style = Style { title: describe(subject), ..Style::default() };
         if let Some(path) = &report.svg {
             output::text(path, &drawing.svg(&style))?;
