@@ -120,7 +120,7 @@ fn by_bowyer_watson<const D: usize>(
     probe: &mut impl Probe,
 ) -> Mesh<D> {
     let kernel = Weighted::new(sites.sites().points(), sites.weights());
-    construct(&kernel, &options.order(sites.sites()), probe)
+    construct(&kernel, options.order(sites.sites()), probe)
 }
 
 /// The same as [`regular()`], unless the probe says, between two sites, not to go on. As

@@ -276,7 +276,7 @@ impl<K: PlaneKernel> Dynamic<'_, K> {
     ) {
         let ids = around.iter().map(|u| u32::try_from(u.index()).expect("a vertex has 32 bits"));
         let kernel = self.flips.kernel;
-        let donor = bowyer_watson(kernel, &ids.collect::<Vec<_>>(), &mut ());
+        let donor = bowyer_watson(kernel, ids.collect::<Vec<_>>(), &mut ());
         let seed = walk(&donor, kernel, CellId::new(0), v, &mut Coin::default(), probe);
         let mut graft = Cavity::new();
         dig_conflicts(&donor, kernel, seed, v, &mut graft, probe);
