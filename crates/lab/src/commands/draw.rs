@@ -1,5 +1,7 @@
 //! `delone draw`: a picture of an input and its triangulation.
 
+use std::path::Path;
+
 use delone_delaunay::Options;
 use delone_draw::{Exploded, Picture, Style, panels};
 use delone_formats::Document;
@@ -78,6 +80,8 @@ fn figure(document: Document, arguments: &cli::Draw) -> Result<String, Failure> 
     let missing: Vec<[u32; 2]> = without(pslg.subsegments(), &delaunay);
     let forced: Vec<[u32; 2]> = without(&constrained, &delaunay);
     let bare = Picture { points, segments: pslg.subsegments(), ..Picture::default() };
+    // A panel has no room for folders.
+    let name = Path::new(subject.name()).file_name().unwrap_or_default().display();
     let style = |title: String| Style {
         size: arguments.size / 2.0,
         numbered: arguments.numbered,
@@ -87,7 +91,7 @@ fn figure(document: Document, arguments: &cli::Draw) -> Result<String, Failure> 
         ..Style::default()
     };
     Ok(panels(&[
-        (bare, style(format!("{}: {} segments", subject.name(), pslg.segments().len()))),
+        (bare, style(format!("{name}: {} segments", pslg.segments().len()))),
         (
             Picture { segments: &[], triangles: &triangles[0], highlights: &missing, ..bare },
             style(format!(

@@ -27,9 +27,14 @@ pub(super) fn suite(n: usize, seed: u64) -> Result<Vec<Subject>, Failure> {
 /// Workloads with quadratically many cells, or coordinates over the full range of exponents.
 const HEAVY: [&str; 4] = ["skew-lines", "moment-curve", "full-range", "full-range-3d"];
 
+/// Workloads on which some algorithm flips quadratically many edges.
+const FLIPPED: [&str; 1] = ["ladder"];
+
 fn sites(workload: &Workload, n: usize) -> usize {
     if HEAVY.contains(&workload.name) {
         n / 100
+    } else if FLIPPED.contains(&workload.name) {
+        n / 10
     } else if workload.kind() == Kind::Points3d {
         n / 5
     } else {
