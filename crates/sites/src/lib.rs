@@ -42,7 +42,7 @@ mod weighted;
 pub use arrangement::Arrangement;
 pub use noded::Noded;
 pub use order::{Curve, scatter, sortable};
-pub use pslg::{Coverage, Crossing, Pslg, PslgError, PslgFault};
+pub use pslg::{Coverage, Crossing, Piece, Pslg, PslgError, PslgFault, Unnoded};
 pub use sites::{NotFinite, Sites, SitesError};
 pub use sweep::{Ends, below_and_above, compare_along};
 pub use weighted::{WeightedSites, WeightsError};

@@ -20,12 +20,14 @@ mod coverage;
 mod crossings;
 mod faults;
 mod survey;
+mod unnoded;
 
 use crate::Sites;
 use crate::strips::Strips;
 pub use coverage::Coverage;
 pub use faults::{Crossing, PslgError, PslgFault};
 use survey::Survey;
+pub use unnoded::{Piece, Unnoded};
 
 #[cfg(test)]
 #[expect(clippy::cast_possible_truncation, reason = "the numbers of the tests are small")]
@@ -86,11 +88,9 @@ impl Pslg {
     fn noded(sites: Sites<2>, segments: Vec<[u32; 2]>) -> Self {
         let ranks = sites.ranks();
         let strips = Strips::new(sites.points(), sites.sorted());
-        let mut pieces: Vec<([u32; 2], u32, u32)> = Vec::with_capacity(segments.len()); // ends, segment, place in it
-        let mut dropped = Vec::new();
+        let mut pieces: Vec<Piece> = Vec::with_capacity(segments.len());
         for (segment, &[a, b]) in (0u32..).zip(&segments) {
             if a == b {
-                dropped.push(segment);
                 continue;
             }
             let [from, to] = [a, b].map(|site| ranks[site as usize]);
@@ -102,11 +102,18 @@ impl Pslg {
             }
             let mut before = a;
             for (place, stop) in (0u32..).zip(stops.into_iter().chain([b])) {
-                pieces.push(([before.min(stop), before.max(stop)], segment, place));
+                pieces.push(Piece::new([before, stop], segment, place));
                 before = stop;
             }
         }
-        let (subsegments, chains) = united(pieces, segments.len());
+        Self::of_pieces(sites, segments, &pieces)
+    }
+
+    /// Of segments and the pieces that they are cut into.
+    pub(crate) fn of_pieces(sites: Sites<2>, segments: Vec<[u32; 2]>, pieces: &[Piece]) -> Self {
+        let of_no_length = (0u32..).zip(&segments).filter(|(_, [a, b])| a == b);
+        let dropped = of_no_length.map(|(segment, _)| segment).collect();
+        let (subsegments, chains) = united(sites.len(), pieces, segments.len());
         Self { sites, segments, subsegments, chains, dropped }
     }
 
@@ -149,22 +156,41 @@ impl Pslg {
 }
 
 /// Unites equal pieces: the distinct ones, and for each segment its own by index.
-fn united(
-    mut pieces: Vec<([u32; 2], u32, u32)>,
-    segments: usize,
-) -> (Vec<[u32; 2]>, Vec<Vec<u32>>) {
-    pieces.sort_unstable();
-    let mut distinct: Vec<[u32; 2]> = Vec::new();
-    let mut placed: Vec<(u32, u32, u32)> = Vec::with_capacity(pieces.len());
-    for (ends, segment, place) in pieces {
+fn united(sites: usize, pieces: &[Piece], segments: usize) -> (Vec<[u32; 2]>, Vec<Vec<u32>>) {
+    let mut distinct: Vec<[u32; 2]> = Vec::with_capacity(pieces.len());
+    let mut chains: Vec<Vec<u32>> = vec![Vec::new(); segments];
+    for &Piece { segment, place, .. } in pieces {
+        let chain = &mut chains[segment as usize];
+        let needed = place as usize + 1;
+        if chain.len() < needed {
+            chain.resize(needed, 0);
+        }
+    }
+    for Piece { ends, segment, place } in sorted(sites, pieces) {
         if distinct.last() != Some(&ends) {
             distinct.push(ends);
         }
         let piece = u32::try_from(distinct.len() - 1).expect("a planar graph has at most 3n edges");
-        placed.push((segment, place, piece));
+        chains[segment as usize][place as usize] = piece;
     }
-    placed.sort_unstable();
-    let mut chains = vec![Vec::new(); segments];
-    placed.into_iter().for_each(|(segment, _, piece)| chains[segment as usize].push(piece));
     (distinct, chains)
+}
+
+/// The pieces in increasing order: counted by their smaller ends, which is quicker than to sort them, and sorted from there.
+fn sorted(sites: usize, pieces: &[Piece]) -> Vec<Piece> {
+    let mut starts = vec![0u32; sites + 2];
+    pieces.iter().for_each(|piece| starts[piece.ends[0] as usize + 2] += 1);
+    for site in 2..starts.len() {
+        starts[site] += starts[site - 1];
+    }
+    let mut sorted = vec![Piece::new([0, 0], 0, 0); pieces.len()];
+    for &piece in pieces {
+        let place = &mut starts[piece.ends[0] as usize + 1];
+        sorted[*place as usize] = piece;
+        *place += 1;
+    }
+    for run in sorted.chunk_by_mut(|a, b| a.ends[0] == b.ends[0]) {
+        run.sort_unstable();
+    }
+    sorted
 }

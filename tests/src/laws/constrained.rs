@@ -1,7 +1,9 @@
 //! The laws of constrained Delaunay triangulations.
 
 use delone::Pslg;
-use delone::cdt::{Algorithm, Cdt, Domain, Dynamic, Fill, FillError, algorithms, cavity};
+use delone::cdt::{
+    Algorithm, Cdt, Domain, Dynamic, Fill, FillError, algorithms, cavity, from_points,
+};
 use delone::check::{Complex, FillRule, judge_fill, naive};
 use delone::delaunay::{Options, delaunay};
 use delone::predicates::Adaptive;
@@ -19,6 +21,7 @@ pub fn constrained_laws() -> Vec<Law<2>> {
     vec![
         Law { name: "valid", hold: valid },
         Law { name: "agreement", hold: agreement },
+        Law { name: "noded on the way", hold: noded_on_the_way },
         Law { name: "order", hold: order },
         Law { name: "scaling", hold: |case| same_cells(case, scalings(case)) },
         Law { name: "translation", hold: |case| same_cells(case, translations(case)) },
@@ -64,6 +67,18 @@ fn agreement(case: &Case<2>) -> usize {
         }
     }
     algorithms.len() * options.len()
+}
+
+fn noded_on_the_way(case: &Case<2>) -> usize {
+    let segments: Vec<[usize; 2]> =
+        case.segments.iter().map(|ends| ends.map(|id| id as usize)).collect();
+    let (pslg, result) = from_points(&case.points, &segments, &mut ())
+        .unwrap_or_else(|error| panic!("{}: {error}", case.name));
+    assert_eq!(pslg, case.pslg(), "{}", case.name);
+    let first = run(case);
+    assert_eq!(result.canonical(), first.canonical(), "{}", case.name);
+    assert_eq!(result.constrained_edges(), first.constrained_edges(), "{}", case.name);
+    1
 }
 
 fn order(case: &Case<2>) -> usize {
