@@ -7,7 +7,7 @@
 
 use std::time::Instant;
 
-use delone_cdt::{algorithms, from_points};
+use delone_cdt::{algorithms, chew_from_points, from_points};
 use delone_delaunay::Options;
 use delone_sites::{Pslg, Sites};
 use delone_workloads::{Points, generate};
@@ -29,6 +29,11 @@ fn main() {
     if asked("from_points") {
         time("from_points", runs, points.len(), || {
             from_points(&points, &segments, &mut ()).expect("no crossings")
+        });
+    }
+    if asked("chew_from_points") {
+        time("chew_from_points", runs, points.len(), || {
+            chew_from_points(&points, &segments, &mut ()).expect("no crossings")
         });
     }
     let chosen: Vec<_> =

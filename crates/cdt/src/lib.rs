@@ -56,7 +56,7 @@ pub use cavity::insert_segments;
 pub use domain::{Domain, EdgeKind, Fill, FillError, OpenVertex, Role, SeedFault};
 pub use dynamic::{Dynamic, Kept};
 pub use flips::Blocked;
-pub use from_points::from_points;
+pub use from_points::{chew_from_points, from_points};
 pub use regions::{RegionId, Regions};
 pub use registry::{Algorithm, algorithms, cavity, cdt_of_arrangement, chew, flips};
 pub use result::Cdt;

@@ -44,7 +44,7 @@ pub use noded::Noded;
 pub use order::{Curve, scatter, sortable};
 pub use pslg::{Coverage, Crossing, Piece, Pslg, PslgError, PslgFault, Unnoded};
 pub use sites::{NotFinite, Sites, SitesError};
-pub use sweep::{Ends, below_and_above, compare_along};
+pub use sweep::{Ends, Swept, compare_along, sweep};
 pub use weighted::{WeightedSites, WeightsError};
 
 #[cfg(test)]

@@ -4,8 +4,9 @@
 //! and over one another; here they are cut there, which moves nothing. They may not cross elsewhere: that would need a
 //! new vertex, and is refused with every crossing listed.
 //!
-//! **Cost.** Sites on segments: by segment, those near it in the strips that it passes (`strips.rs`). Crossings: a sweep tells whether there are
-//! any in O((n + m) log n) (`sweep.rs`); only then are all pairs near each other looked at.
+//! **Cost.** O((n + m) log n): a sweep finds the sites on segments, and that none cross (`sweep.rs`). If some do, even at
+//! sites, sites are looked for in the strips that each segment passes (`strips.rs`), and if they do elsewhere, all pairs near
+//! each other are looked at.
 //!
 //! **Degeneracies.**
 //! | case | answer | test |
@@ -22,8 +23,11 @@ mod faults;
 mod survey;
 mod unnoded;
 
+use delone_predicates::{Adaptive, Kernel};
+
 use crate::Sites;
 use crate::strips::Strips;
+use crate::sweep::sweep;
 pub use coverage::Coverage;
 pub use faults::{Crossing, PslgError, PslgFault};
 use survey::Survey;
@@ -52,8 +56,8 @@ impl Pslg {
     /// # Errors
     /// With every coordinate that is not finite, every segment that names no point, and every crossing of the others.
     pub fn new(points: &[[f64; 2]], segments: &[[usize; 2]]) -> Result<Self, PslgError> {
-        let Survey { pslg, mut faults, names } = Survey::of(points, segments);
-        faults.extend(names.crossings(&pslg));
+        let Survey { pslg, planar, mut faults, names } = Survey::of(points, segments);
+        faults.extend(names.crossings(&pslg, planar));
         if faults.is_empty() { Ok(pslg) } else { Err(PslgError(faults)) }
     }
 
@@ -78,35 +82,21 @@ impl Pslg {
     /// With everything that [`Pslg::new`] refuses or repairs: also equal points, segments of no length, points inside
     /// segments, overlaps and repeated segments.
     pub fn strict(points: &[[f64; 2]], segments: &[[usize; 2]]) -> Result<Self, PslgError> {
-        let Survey { pslg, mut faults, names } = Survey::of(points, segments);
+        let Survey { pslg, planar, mut faults, names } = Survey::of(points, segments);
         faults.extend(names.repaired(&pslg));
-        faults.extend(names.crossings(&pslg));
+        faults.extend(names.crossings(&pslg, planar));
         if faults.is_empty() { Ok(pslg) } else { Err(PslgError(faults)) }
     }
 
-    /// Cuts each segment at the sites inside it, and unites equal pieces.
-    fn noded(sites: Sites<2>, segments: Vec<[u32; 2]>) -> Self {
-        let ranks = sites.ranks();
-        let strips = Strips::new(sites.points(), sites.sorted());
-        let mut pieces: Vec<Piece> = Vec::with_capacity(segments.len());
-        for (segment, &[a, b]) in (0u32..).zip(&segments) {
-            if a == b {
-                continue;
-            }
-            let [from, to] = [a, b].map(|site| ranks[site as usize]);
-            let inside = strips.inside(from.min(to), from.max(to));
-            let mut stops: Vec<u32> =
-                inside.into_iter().map(|rank| sites.sorted()[rank as usize]).collect();
-            if from > to {
-                stops.reverse();
-            }
-            let mut before = a;
-            for (place, stop) in (0u32..).zip(stops.into_iter().chain([b])) {
-                pieces.push(Piece::new([before, stop], segment, place));
-                before = stop;
+    /// Cuts each segment at the sites inside it, and unites equal pieces. Whether none cross is known if the sweep says so.
+    fn noded(sites: Sites<2>, segments: Vec<[u32; 2]>) -> (Self, Planar) {
+        match by_sweep(&sites, &segments) {
+            Some(pieces) => (Self::of_pieces(sites, segments, &pieces), Planar::Known),
+            None => {
+                let pieces = by_strips(&sites, &segments);
+                (Self::of_pieces(sites, segments, &pieces), Planar::Unknown)
             }
         }
-        Self::of_pieces(sites, segments, &pieces)
     }
 
     /// Of segments and the pieces that they are cut into.
@@ -121,7 +111,7 @@ impl Pslg {
     pub(crate) fn noded_for_tests(points: &[[f64; 2]], segments: &[[usize; 2]]) -> Self {
         let sites = Sites::new(points).expect("points of tests are finite");
         let ends = segments.iter().map(|ends| ends.map(|point| sites.site_of()[point])).collect();
-        Self::noded(sites, ends)
+        Self::noded(sites, ends).0
     }
 
     /// The sites.
@@ -153,6 +143,54 @@ impl Pslg {
     pub fn dropped(&self) -> &[u32] {
         &self.dropped
     }
+}
+
+/// Whether it is known that no two pieces cross.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Planar {
+    Known,
+    Unknown,
+}
+
+/// Segments as pairs of ranks, the smaller first.
+fn ranked(ranks: &[u32], segments: &[[u32; 2]]) -> Vec<[u32; 2]> {
+    let ranked = |ends: &[u32; 2]| {
+        let [a, b] = ends.map(|site| ranks[site as usize]);
+        [a.min(b), a.max(b)]
+    };
+    segments.iter().map(ranked).collect()
+}
+
+/// The pieces of segments that do not cross, not even at sites.
+fn by_sweep(sites: &Sites<2>, segments: &[[u32; 2]]) -> Option<Vec<Piece>> {
+    let kernel = Adaptive::new(sites.points()).reordered(sites.sorted());
+    let swept = sweep(&kernel, sites.len(), &ranked(&sites.ranks(), segments))?;
+    Some(unnoded::pieces_of(sites, segments, &swept))
+}
+
+/// The pieces of segments, whether they cross or not.
+fn by_strips(sites: &Sites<2>, segments: &[[u32; 2]]) -> Vec<Piece> {
+    let ranks = sites.ranks();
+    let strips = Strips::new(sites.points(), sites.sorted());
+    let mut pieces: Vec<Piece> = Vec::with_capacity(segments.len());
+    for (segment, &[a, b]) in (0u32..).zip(segments) {
+        if a == b {
+            continue;
+        }
+        let [from, to] = [a, b].map(|site| ranks[site as usize]);
+        let inside = strips.inside(from.min(to), from.max(to));
+        let mut stops: Vec<u32> =
+            inside.into_iter().map(|rank| sites.sorted()[rank as usize]).collect();
+        if from > to {
+            stops.reverse();
+        }
+        let mut before = a;
+        for (place, stop) in (0u32..).zip(stops.into_iter().chain([b])) {
+            pieces.push(Piece::new([before, stop], segment, place));
+            before = stop;
+        }
+    }
+    pieces
 }
 
 /// Unites equal pieces: the distinct ones, and for each segment its own by index.

@@ -2,7 +2,8 @@
 
 use delone::Pslg;
 use delone::cdt::{
-    Algorithm, Cdt, Domain, Dynamic, Fill, FillError, algorithms, cavity, from_points,
+    Algorithm, Cdt, Domain, Dynamic, Fill, FillError, algorithms, cavity, chew_from_points,
+    from_points,
 };
 use delone::check::{Complex, FillRule, judge_fill, naive};
 use delone::delaunay::{Options, delaunay};
@@ -72,13 +73,16 @@ fn agreement(case: &Case<2>) -> usize {
 fn noded_on_the_way(case: &Case<2>) -> usize {
     let segments: Vec<[usize; 2]> =
         case.segments.iter().map(|ends| ends.map(|id| id as usize)).collect();
-    let (pslg, result) = from_points(&case.points, &segments, &mut ())
-        .unwrap_or_else(|error| panic!("{}: {error}", case.name));
-    assert_eq!(pslg, case.pslg(), "{}", case.name);
     let first = run(case);
-    assert_eq!(result.canonical(), first.canonical(), "{}", case.name);
-    assert_eq!(result.constrained_edges(), first.constrained_edges(), "{}", case.name);
-    1
+    let ways = [from_points, chew_from_points];
+    for way in ways {
+        let (pslg, result) = way(&case.points, &segments, &mut ())
+            .unwrap_or_else(|error| panic!("{}: {error}", case.name));
+        assert_eq!(pslg, case.pslg(), "{}", case.name);
+        assert_eq!(result.canonical(), first.canonical(), "{}", case.name);
+        assert_eq!(result.constrained_edges(), first.constrained_edges(), "{}", case.name);
+    }
+    ways.len()
 }
 
 fn order(case: &Case<2>) -> usize {

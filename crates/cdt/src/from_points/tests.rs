@@ -1,7 +1,7 @@
 use delone_delaunay::Options;
 use delone_sites::{Pslg, PslgError, scatter};
 
-use super::from_points;
+use super::{chew_from_points, from_points};
 use crate::{Cdt, cavity};
 
 fn in_two_steps(points: &[[f64; 2]], segments: &[[usize; 2]]) -> Result<(Pslg, Cdt), PslgError> {
@@ -12,9 +12,21 @@ fn in_two_steps(points: &[[f64; 2]], segments: &[[usize; 2]]) -> Result<(Pslg, C
 
 /// Compares the two ways; whether the input was accepted.
 fn compare(points: &[[f64; 2]], segments: &[[usize; 2]]) -> bool {
-    match (from_points(points, segments, &mut ()), in_two_steps(points, segments)) {
+    let expected = in_two_steps(points, segments);
+    let accepted = same(from_points(points, segments, &mut ()), &expected, points, segments);
+    same(chew_from_points(points, segments, &mut ()), &expected, points, segments);
+    accepted
+}
+
+fn same(
+    result: Result<(Pslg, Cdt), PslgError>,
+    expected: &Result<(Pslg, Cdt), PslgError>,
+    points: &[[f64; 2]],
+    segments: &[[usize; 2]],
+) -> bool {
+    match (result, expected) {
         (Ok((pslg, cdt)), Ok((expected, by_cavity))) => {
-            assert_eq!(pslg, expected, "{points:?} {segments:?}");
+            assert_eq!(&pslg, expected, "{points:?} {segments:?}");
             assert_eq!(cdt.canonical(), by_cavity.canonical(), "{points:?} {segments:?}");
             assert_eq!(cdt.constrained_edges(), pslg.subsegments(), "{points:?} {segments:?}");
             true

@@ -1,7 +1,7 @@
 //! Sites and segments before noding, for an algorithm that nodes on its way.
 
-use super::{Pslg, PslgError};
-use crate::Sites;
+use super::{Pslg, PslgError, ranked};
+use crate::{Sites, Swept};
 
 /// Usable sites and segments, these not yet cut where they meet.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,6 +27,31 @@ impl Piece {
     pub fn new([a, b]: [u32; 2], segment: u32, place: u32) -> Self {
         Self { ends: [a.min(b), a.max(b)], segment, place }
     }
+}
+
+/// The pieces of segments between sites, as a sweep over ranks has found them.
+pub(super) fn pieces_of(sites: &Sites<2>, segments: &[[u32; 2]], swept: &Swept) -> Vec<Piece> {
+    let mut places = vec![0u32; segments.len()];
+    let mut pieces = Vec::with_capacity(swept.members.len());
+    for &[segment, piece] in &swept.members {
+        let ends = swept.pieces[piece as usize].map(|rank| sites.sorted()[rank as usize]);
+        let place = &mut places[segment as usize];
+        pieces.push(Piece::new(ends, segment, *place));
+        *place += 1;
+    }
+    // The sweep goes from left to right, some segments from right to left.
+    for piece in &mut pieces {
+        let count = places[piece.segment as usize];
+        if count > 1 && is_backward(sites, segments[piece.segment as usize]) {
+            piece.place = count - 1 - piece.place;
+        }
+    }
+    pieces
+}
+
+fn is_backward(sites: &Sites<2>, ends: [u32; 2]) -> bool {
+    let [a, b] = ends.map(|site| sites.points()[site as usize]);
+    a > b
 }
 
 impl Unnoded {
@@ -57,6 +82,19 @@ impl Unnoded {
     #[must_use]
     pub fn segments(&self) -> &[[u32; 2]] {
         &self.segments
+    }
+
+    /// The PSLG of what a [`sweep`](crate::sweep()) over these segments has found, vertices being the sites in lexicographic order.
+    #[must_use]
+    pub fn swept(self, swept: &Swept) -> Pslg {
+        let pieces = pieces_of(&self.sites, &self.segments, swept);
+        Pslg::of_pieces(self.sites, self.segments, &pieces)
+    }
+
+    /// The segments by ranks of sites in lexicographic order, the smaller first.
+    #[must_use]
+    pub fn ranked(&self) -> Vec<[u32; 2]> {
+        ranked(&self.sites.ranks(), &self.segments)
     }
 
     /// The PSLG of these pieces, of which no two cross: all of each segment of positive length, in any order.
