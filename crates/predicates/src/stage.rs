@@ -16,6 +16,8 @@ pub enum Stage {
     TwoLimbs,
     /// Exact integers, differences of four limbs.
     FourLimbs,
+    /// Doubles without differences, scaled, for exponents that lie far apart.
+    LeadingTerms,
     /// Sums of monomials, for exponents that lie far apart.
     LongSum,
     /// Exact numbers of any length, of constructed points.
@@ -28,13 +30,14 @@ pub enum Stage {
 
 impl Stage {
     /// All stages, in order.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 11] = [
         Self::StaticFilter,
         Self::DynamicFilter,
         Self::MachineWords,
         Self::OneLimb,
         Self::TwoLimbs,
         Self::FourLimbs,
+        Self::LeadingTerms,
         Self::LongSum,
         Self::Dyadic,
         Self::Unfiltered,
