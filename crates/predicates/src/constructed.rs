@@ -213,6 +213,12 @@ impl<const D: usize> Constructed<D> {
         }
     }
 
+    /// The vertex in doubles, if it is exact in them.
+    #[inline]
+    pub(crate) fn plain_at(&self, v: usize) -> Option<[f64; D]> {
+        (!self.is_rounded(v)).then(|| self.positions[v])
+    }
+
     pub(crate) fn approximate_at(&self, v: usize) -> Homogeneous<Approximate, D> {
         let rounded = self.is_rounded(v);
         let near = |x| if rounded { Approximate::nearest(x) } else { Approximate::exact(x) };

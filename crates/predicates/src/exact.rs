@@ -33,7 +33,7 @@
 
 pub(crate) mod align;
 mod any;
-mod formulas;
+pub(crate) mod formulas;
 mod general;
 mod leading;
 mod long;

@@ -2,6 +2,7 @@
 
 use smallvec::SmallVec;
 
+use crate::exact::align::one_limb;
 use crate::narrow::Narrow;
 use crate::ring::{self, Homogeneous, Ring};
 use crate::{Approximate, Dyadic, Sign};
@@ -47,6 +48,15 @@ pub(crate) trait Formula<const D: usize> {
     /// Whether eight limbs are known to be too few, as a rule.
     const IS_LONG: bool = false;
 
+    /// Whether there is a formula in words.
+    const HAS_WORDS: bool = false;
+
+    /// The answer for plain points, if there is a quicker formula in fixed widths: of coordinates over one unit, at most 2^61 in magnitude, the
+    /// third zero in the plane.
+    fn in_words(&self, _points: &[[i64; 3]]) -> Option<Self::Answer> {
+        None
+    }
+
     /// The answer, unless a sign is not known.
     fn answer<T: Signed>(&self, call: &Call<T, D>) -> Option<Self::Answer>;
 }
@@ -55,6 +65,24 @@ impl<T, const D: usize> Call<T, D> {
     pub(crate) const fn new() -> Self {
         Self { points: SmallVec::new_const(), squares: SmallVec::new_const() }
     }
+}
+
+/// The most points of a formula in words.
+const POINTS: usize = 8;
+
+/// The answer in words, if all points are doubles, of at most three coordinates.
+#[inline]
+pub(crate) fn in_words<const D: usize, F: Formula<D>>(
+    formula: &F,
+    points: impl Iterator<Item = Option<[f64; D]>>,
+) -> Option<F::Answer> {
+    let (mut values, mut count) = ([0.0; 3 * POINTS], 0);
+    for point in points {
+        values.get_mut(3 * count..3 * count + 3)?.get_mut(..D)?.copy_from_slice(&point?);
+        count += 1;
+    }
+    let integers = one_limb(&values)?;
+    formula.in_words(&integers.as_chunks().0[..count])
 }
 
 /// The answer: in short integers if they suffice, of eight limbs and then of sixteen.

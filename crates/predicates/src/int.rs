@@ -13,6 +13,12 @@ pub(crate) struct Int<const N: usize>([u64; N]);
 impl<const N: usize> Int<N> {
     pub(crate) const ZERO: Self = Self([0; N]);
 
+    pub(crate) const ONE: Self = {
+        let mut limbs = [0; N];
+        limbs[0] = 1;
+        Self(limbs)
+    };
+
     /// `mantissa * 2^shift`, negated if asked. Bits over the width are lost.
     #[inline]
     pub(crate) fn shifted(mantissa: u64, shift: usize, negative: bool) -> Self {
