@@ -1,9 +1,9 @@
-//! Formulas over a ring, and the stages that decide them: doubles with error bounds, short integers, numbers of any length.
+//! Formulas over a ring, and the stages that decide them: doubles with error bounds, numbers of any length;
+//! and quicker formulas in words.
 
 use smallvec::SmallVec;
 
 use crate::exact::align::one_limb;
-use crate::narrow::Narrow;
 use crate::ring::{self, Homogeneous, Ring};
 use crate::{Approximate, Dyadic, Sign};
 
@@ -15,12 +15,6 @@ pub(crate) trait Signed: Ring {
 
 impl Signed for Approximate {
     #[inline]
-    fn known_sign(&self) -> Option<Sign> {
-        self.sign()
-    }
-}
-
-impl<const N: usize> Signed for Narrow<N> {
     fn known_sign(&self) -> Option<Sign> {
         self.sign()
     }
@@ -45,9 +39,6 @@ pub(crate) trait Formula<const D: usize> {
     /// A sign or an order.
     type Answer;
 
-    /// Whether eight limbs are known to be too few, as a rule.
-    const IS_LONG: bool = false;
-
     /// Whether there is a formula in words.
     const HAS_WORDS: bool = false;
 
@@ -61,10 +52,12 @@ pub(crate) trait Formula<const D: usize> {
     fn answer<T: Signed>(&self, call: &Call<T, D>) -> Option<Self::Answer>;
 }
 
-impl<T, const D: usize> Call<T, D> {
-    pub(crate) const fn new() -> Self {
-        Self { points: SmallVec::new_const(), squares: SmallVec::new_const() }
-    }
+/// The answer in numbers of any length.
+pub(crate) fn exactly<const D: usize, F: Formula<D>>(
+    formula: &F,
+    call: &Call<Dyadic, D>,
+) -> F::Answer {
+    formula.answer(call).expect("exact numbers have a sign")
 }
 
 /// The most points of a formula in words.
@@ -83,53 +76,6 @@ pub(crate) fn in_words<const D: usize, F: Formula<D>>(
     }
     let integers = one_limb(&values)?;
     formula.in_words(&integers.as_chunks().0[..count])
-}
-
-/// The answer: in short integers if they suffice, of eight limbs and then of sixteen.
-pub(crate) fn exactly<const D: usize, F: Formula<D>>(
-    formula: &F,
-    call: &Call<Dyadic, D>,
-) -> F::Answer {
-    let short = if F::IS_LONG { None } else { in_limbs::<8, D, F>(formula, call) };
-    short
-        .or_else(|| in_limbs::<16, D, F>(formula, call))
-        .unwrap_or_else(|| formula.answer(call).expect("exact numbers have a sign"))
-}
-
-/// The answer, if N limbs suffice.
-#[inline(never)]
-fn in_limbs<const N: usize, const D: usize, F: Formula<D>>(
-    formula: &F,
-    call: &Call<Dyadic, D>,
-) -> Option<F::Answer> {
-    let mut short = Call::<Narrow<N>, D>::new();
-    if narrow_into(&mut short, call) { formula.answer(&short) } else { None }
-}
-
-/// All numbers as integers on one power of two, a W on one of its own; whether they are short enough. Into a place of the
-/// caller's, since calls are long to move.
-fn narrow_into<const N: usize, const D: usize>(
-    short: &mut Call<Narrow<N>, D>,
-    call: &Call<Dyadic, D>,
-) -> bool {
-    let low = unit(call);
-    for Homogeneous { x, w } in &call.points {
-        let x = x.each_ref().map(|x| Narrow::aligned(x, low + w.exponent()));
-        short.points.push(Homogeneous { x, w: Narrow::aligned(w, w.exponent()) });
-    }
-    short.squares.extend(call.squares.iter().map(|x| Narrow::aligned(x, 2 * low)));
-    let of_points = short.points.iter().flat_map(|Homogeneous { x, w }| x.iter().chain([w]));
-    !of_points.chain(&short.squares).any(Narrow::is_lost)
-}
-
-/// The exponent over which all coordinates are integers, and twice which all squares.
-fn unit<const D: usize>(call: &Call<Dyadic, D>) -> i64 {
-    let is_some = |x: &&Dyadic| x.sign() != Sign::Zero;
-    let coordinates = call.points.iter().flat_map(|Homogeneous { x, w }| {
-        x.iter().filter(is_some).map(|x| x.exponent() - w.exponent())
-    });
-    let squares = call.squares.iter().filter(is_some).map(|x| x.exponent().div_euclid(2));
-    coordinates.chain(squares).min().unwrap_or(0)
 }
 
 /// The orientation on some axes.
@@ -162,6 +108,3 @@ impl Formula<2> for Cross {
         ring::cross(points).known_sign()
     }
 }
-
-#[cfg(test)]
-mod tests;

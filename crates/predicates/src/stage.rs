@@ -20,6 +20,8 @@ pub enum Stage {
     LeadingTerms,
     /// Sums of monomials, for exponents that lie far apart.
     LongSum,
+    /// Exact integers of fixed widths, of constructed points.
+    FixedWidth,
     /// Exact numbers of any length, of constructed points.
     Dyadic,
     /// Plain doubles, right or wrong.
@@ -30,7 +32,7 @@ pub enum Stage {
 
 impl Stage {
     /// All stages, in order.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 12] = [
         Self::StaticFilter,
         Self::DynamicFilter,
         Self::MachineWords,
@@ -39,6 +41,7 @@ impl Stage {
         Self::FourLimbs,
         Self::LeadingTerms,
         Self::LongSum,
+        Self::FixedWidth,
         Self::Dyadic,
         Self::Unfiltered,
         Self::Untold,

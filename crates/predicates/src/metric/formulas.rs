@@ -57,7 +57,6 @@ pub(crate) struct Radii(pub(crate) usize);
 
 impl<const D: usize> Formula<D> for Radii {
     type Answer = Ordering;
-    const IS_LONG: bool = true;
     fn answer<T: Signed>(&self, call: &Call<T, D>) -> Option<Ordering> {
         let (s, t) = call.points.split_at(self.0);
         let [of_s, of_t] = match call.squares.split_at_checked(self.0) {
