@@ -120,12 +120,8 @@ fn in_pieces<const M: usize>(
         }
         let at = |i: usize| piece.each_ref().map(|column| column[i]);
         let (mut values, mut bounds) = ([0.0; PIECE], [0.0; PIECE]);
-        for i in 0..PIECE {
-            values[i] = value(at(i));
-        }
-        for i in 0..PIECE {
-            bounds[i] = bound(at(i));
-        }
+        values.iter_mut().enumerate().for_each(|(i, slot)| *slot = value(at(i)));
+        bounds.iter_mut().enumerate().for_each(|(i, slot)| *slot = bound(at(i)));
         for ((sign, value), bound) in signs.iter_mut().zip(values).zip(bounds) {
             *sign = i8::from(value > bound) - i8::from(value < -bound);
         }
