@@ -1,7 +1,7 @@
 //! Times the reading of a PSLG and the algorithms on it: nanoseconds a site, the median of several runs and the best one.
 //!
 //! ```sh
-//! cargo run --release -p delone-cdt --example time_cdt -- [WORKLOAD] [SITES] [RUNS] [PART OF A ROW'S NAME]
+//! cargo run --release -p delone-cdt --example time_cdt -- [WORKLOAD] [SITES] [RUNS] [PART OF A ROW'S NAME] [SEGMENTS]
 //! ```
 #![expect(clippy::print_stdout, clippy::disallowed_methods, reason = "it prints times")]
 
@@ -19,8 +19,9 @@ fn main() {
     let (runs, part) = (word(2, "3").parse().expect("a number"), word(3, ""));
     let input = generate(&workload, n.parse().expect("a number"), 1).expect("a workload");
     let Points::Plane(points) = input.points else { panic!("{workload} is not planar") };
-    let segments: Vec<[usize; 2]> =
+    let mut segments: Vec<[usize; 2]> =
         input.segments.iter().map(|ends| ends.map(|id| id as usize)).collect();
+    segments.truncate(words.get(4).map_or(usize::MAX, |text| text.parse().expect("a number")));
     println!("{workload}: {} points, {} segments", points.len(), segments.len());
     let asked = |name: &str| name.contains(&part);
     if asked("Sites::new") {

@@ -31,6 +31,7 @@
 
 mod arrangement;
 mod boxes;
+mod chains;
 mod noded;
 mod order;
 mod pslg;
@@ -40,6 +41,7 @@ mod sweep;
 mod weighted;
 
 pub use arrangement::Arrangement;
+pub use chains::Chains;
 pub use noded::Noded;
 pub use order::{Curve, scatter, sortable};
 pub use pslg::{Coverage, Crossing, Piece, Pslg, PslgError, PslgFault, Unnoded};

@@ -25,9 +25,9 @@ mod unnoded;
 
 use delone_predicates::{Adaptive, Kernel};
 
-use crate::Sites;
 use crate::strips::Strips;
 use crate::sweep::sweep;
+use crate::{Chains, Sites};
 pub use coverage::Coverage;
 pub use faults::{Crossing, PslgError, PslgFault};
 use survey::Survey;
@@ -43,7 +43,7 @@ pub struct Pslg {
     pub(crate) sites: Sites<2>,
     pub(crate) segments: Vec<[u32; 2]>,
     pub(crate) subsegments: Vec<[u32; 2]>,
-    pub(crate) chains: Vec<Vec<u32>>,
+    pub(crate) chains: Chains,
     pub(crate) dropped: Vec<u32>,
 }
 
@@ -134,7 +134,7 @@ impl Pslg {
 
     /// For each input segment its subsegments from its first end to its second.
     #[must_use]
-    pub fn chains(&self) -> &[Vec<u32>] {
+    pub fn chains(&self) -> &Chains {
         &self.chains
     }
 
@@ -194,22 +194,17 @@ fn by_strips(sites: &Sites<2>, segments: &[[u32; 2]]) -> Vec<Piece> {
 }
 
 /// Unites equal pieces: the distinct ones, and for each segment its own by index.
-fn united(sites: usize, pieces: &[Piece], segments: usize) -> (Vec<[u32; 2]>, Vec<Vec<u32>>) {
+fn united(sites: usize, pieces: &[Piece], segments: usize) -> (Vec<[u32; 2]>, Chains) {
     let mut distinct: Vec<[u32; 2]> = Vec::with_capacity(pieces.len());
-    let mut chains: Vec<Vec<u32>> = vec![Vec::new(); segments];
-    for &Piece { segment, place, .. } in pieces {
-        let chain = &mut chains[segment as usize];
-        let needed = place as usize + 1;
-        if chain.len() < needed {
-            chain.resize(needed, 0);
-        }
-    }
+    let mut lengths = vec![0u32; segments];
+    pieces.iter().for_each(|piece| lengths[piece.segment as usize] += 1);
+    let mut chains = Chains::of_lengths(lengths.into_iter());
     for Piece { ends, segment, place } in sorted(sites, pieces) {
         if distinct.last() != Some(&ends) {
             distinct.push(ends);
         }
         let piece = u32::try_from(distinct.len() - 1).expect("a planar graph has at most 3n edges");
-        chains[segment as usize][place as usize] = piece;
+        chains.set(segment, place, piece);
     }
     (distinct, chains)
 }

@@ -101,7 +101,7 @@ impl Names {
             segment: self.segment(segment),
             at: at(pslg.segments[segment as usize][0]),
         }));
-        for (segment, chain) in (0u32..).zip(&pslg.chains) {
+        for (segment, chain) in (0u32..).zip(pslg.chains.iter()) {
             let mut site = pslg.segments[segment as usize][0];
             for &piece in chain.iter().take(chain.len().saturating_sub(1)) {
                 let [low, high] = pslg.subsegments[piece as usize];
