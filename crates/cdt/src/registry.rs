@@ -1,10 +1,10 @@
 //! Every CDT algorithm by name: what the lab, the tests and the benches walk.
 
-use delone_delaunay::{KernelKind, Options, bowyer_watson, divide_conquer};
+use delone_delaunay::{KernelKind, Options, divide_conquer, divide_conquer_sorted};
 use delone_mesh::{Mesh, VertexId};
 use delone_predicates::{Adaptive, Exact, PlaneKernel};
 use delone_probe::{Event, Probe};
-use delone_sites::{Arrangement, Pslg, scatter, sweep};
+use delone_sites::{Arrangement, Pslg, sweep};
 
 use crate::flips::insert_by_flips;
 use crate::{Cdt, chain, insert_segments, naive};
@@ -186,17 +186,11 @@ where
     method.run(kernel, graph, |probe| divide_conquer(kernel, sites, probe), probe)
 }
 
-/// The CDT of an arrangement. Its Delaunay mesh is made in random order: vertices that round alike have no place on a curve.
+/// The CDT of an arrangement.
 fn crossed(method: Method, graph: &Arrangement, probe: &mut impl Probe) -> Cdt {
-    let delaunay = |probe: &mut _| {
-        let mut order: Vec<(u64, u32)> =
-            (0u64..).map(scatter).zip(graph.sorted().iter().copied()).collect();
-        order.sort_unstable();
-        let order: Vec<u32> = order.into_iter().map(|(_, vertex)| vertex).collect();
-        bowyer_watson(graph.kernel(), &order, probe)
-    };
-    let abstracted = Graph { sorted: graph.sorted(), subsegments: graph.subsegments() };
-    method.run(graph.kernel(), abstracted, delaunay, probe)
+    let (kernel, sorted) = (graph.kernel(), graph.sorted());
+    let abstracted = Graph { sorted, subsegments: graph.subsegments() };
+    method.run(kernel, abstracted, |probe| divide_conquer_sorted(kernel, sorted, probe), probe)
 }
 
 /// The CDT of segments that may cross, every crossing a vertex: by Delaunay triangulation and [`insert_segments`], under the

@@ -40,7 +40,7 @@ use delone_probe::{Event, Probe};
 use delone_sites::Sites;
 use rayon::prelude::{IntoParallelRefIterator, IntoParallelRefMutIterator, ParallelIterator};
 
-use cuts::{Axis, LEAF, THREAD};
+use cuts::{Axis, Item, LEAF, THREAD};
 use merge::{Hull, Work};
 use patch::{Edge, GHOST, Patch, Place};
 
@@ -53,12 +53,34 @@ pub fn divide_conquer(
     sites: &Sites<2>,
     probe: &mut impl Probe,
 ) -> Mesh<2> {
-    if sites.len() < 2 {
-        return chain_mesh(sites);
+    laid_out(kernel, sites.sorted(), cuts::items(sites), probe)
+}
+
+/// The same for the vertices of any kernel, which are `sorted` lexicographically: constructed points have no coordinates to sort
+/// by, so the kernel is asked O(n log n) times.
+///
+/// # Panics
+/// As [`divide_conquer`].
+pub fn divide_conquer_sorted(
+    kernel: &impl Kernel<2>,
+    sorted: &[u32],
+    probe: &mut impl Probe,
+) -> Mesh<2> {
+    laid_out(kernel, sorted, cuts::items_by(kernel, sorted), probe)
+}
+
+/// The mesh of vertices that are `sorted` lexicographically, and their items in the same order.
+fn laid_out(
+    kernel: &impl Kernel<2>,
+    sorted: &[u32],
+    mut items: Vec<Item>,
+    probe: &mut impl Probe,
+) -> Mesh<2> {
+    if sorted.len() < 2 {
+        return chain_mesh(sorted);
     }
-    let mut items = cuts::items(sites);
     cuts::cut(&mut items, Axis::X);
-    let order: Vec<u32> = items.iter().map(|item| sites.sorted()[item.rank() as usize]).collect();
+    let order: Vec<u32> = items.iter().map(|item| sorted[item.rank() as usize]).collect();
     drop(items);
     let kernel = kernel.reordered(&order);
     let mut arrays = Arrays::new(order.len());
@@ -67,7 +89,7 @@ pub fn divide_conquer(
     drop(kernel);
     probe.on(Event::Site { done: order.len(), total: order.len() });
     if arrays.is_chain(hull) {
-        return chain_mesh(sites);
+        return chain_mesh(sorted);
     }
     arrays.apexes.iter_mut().for_each(|vertex| rename(vertex, &order));
     arrays.into_mesh()
@@ -100,7 +122,7 @@ pub fn divide_conquer_in_parallel<K: Kernel<2, Reordered: Sync> + Sync>(
         let hull = solve_in_parallel(patch, &kernel, 0, count(&order), Axis::X);
         drop(kernel);
         if arrays.is_chain(hull) {
-            return chain_mesh(sites);
+            return chain_mesh(sites.sorted());
         }
         arrays.apexes.par_iter_mut().for_each(|vertex| rename(vertex, &order));
         arrays.into_mesh()
@@ -235,8 +257,7 @@ fn rename(vertex: &mut Place, order: &[u32]) {
 }
 
 /// Sites in line as a mesh of dimension 1: a circle of segments, through the sites in order and the ghost.
-fn chain_mesh(sites: &Sites<2>) -> Mesh<2> {
-    let line: Vec<VertexId> =
-        sites.sorted().iter().map(|&site| VertexId::new(site as usize)).collect();
+fn chain_mesh(sorted: &[u32]) -> Mesh<2> {
+    let line: Vec<VertexId> = sorted.iter().map(|&site| VertexId::new(site as usize)).collect();
     Mesh::chain(&line)
 }

@@ -59,7 +59,7 @@ mod voronoi;
 
 pub use bowyer_watson::bowyer_watson;
 pub use conflict::{dig_conflicts, in_conflict};
-pub use divide_conquer::{divide_conquer, divide_conquer_in_parallel};
+pub use divide_conquer::{divide_conquer, divide_conquer_in_parallel, divide_conquer_sorted};
 pub use dynamic::{Dynamic, Inserted};
 pub use flips::{flip_to_delaunay, flips};
 pub use locate::{Coin, walk};

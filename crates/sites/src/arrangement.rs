@@ -24,6 +24,7 @@
 
 use delone_predicates::{Constructed, Construction, Kernel};
 
+use crate::pslg::Planar;
 use crate::{Chains, Pslg, PslgError, Sites};
 
 /// Segments cut wherever they meet, exactly. See the module's text.
@@ -56,15 +57,20 @@ impl Arrangement {
     /// # Errors
     /// With every coordinate that is not finite, and every segment that names no point.
     pub fn new(points: &[[f64; 2]], segments: &[[usize; 2]]) -> Result<Self, PslgError> {
-        Ok(Self::of(Pslg::crossed(points, segments)?))
+        let (pslg, planar) = Pslg::crossed(points, segments)?;
+        Ok(Self::of(pslg, planar))
     }
 
-    fn of(pslg: Pslg) -> Self {
-        let pairs = pslg.crossing_pieces();
+    fn of(pslg: Pslg, planar: Planar) -> Self {
+        let pairs = match planar {
+            Planar::Known => Vec::new(),
+            Planar::Unknown => pslg.crossing_pieces(),
+        };
         let (kernel, vertex_of, crossings) = constructed(&pslg, &pairs);
         let count = u32::try_from(kernel.len()).expect("vertices are fewer than ids");
-        let mut sorted: Vec<u32> = (0..count).collect();
-        sorted.sort_by(|&u, &v| kernel.compare_lexicographic(u as usize, v as usize));
+        let mut sorted: Vec<u32> = pslg.sites.sorted().to_vec();
+        sorted.extend(u32::try_from(pslg.sites.len()).expect("sites are vertices")..count);
+        sorted.sort_by(|&u, &v| kernel.compare_lexicographic(u as usize, v as usize)); // two runs
         let mut ranks = vec![0; kernel.len()];
         for (rank, &vertex) in (0u32..).zip(&sorted) {
             ranks[vertex as usize] = rank;

@@ -62,9 +62,12 @@ impl Pslg {
     }
 
     /// Nodes points and segments, which may cross; or says why it cannot.
-    pub(crate) fn crossed(points: &[[f64; 2]], segments: &[[usize; 2]]) -> Result<Self, PslgError> {
-        let Survey { pslg, faults, .. } = Survey::of(points, segments);
-        if faults.is_empty() { Ok(pslg) } else { Err(PslgError(faults)) }
+    pub(crate) fn crossed(
+        points: &[[f64; 2]],
+        segments: &[[usize; 2]],
+    ) -> Result<(Self, Planar), PslgError> {
+        let Survey { pslg, planar, faults, .. } = Survey::of(points, segments);
+        if faults.is_empty() { Ok((pslg, planar)) } else { Err(PslgError(faults)) }
     }
 
     /// [`Pslg::new`] for input that must be a planar straight-line graph as it stands.
@@ -147,7 +150,7 @@ impl Pslg {
 
 /// Whether it is known that no two pieces cross.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Planar {
+pub(crate) enum Planar {
     Known,
     Unknown,
 }

@@ -52,10 +52,14 @@ impl Axis {
 pub(super) struct Item(u128);
 
 impl Item {
-    fn new(sites: &Sites<2>, rank: usize, site: u32) -> Self {
+    /// Of a lexicographic rank, and a number that orders like y.
+    fn new(rank: usize, y: u64) -> Self {
         let rank = u32::try_from(rank).expect("sites have ids of 32 bits");
-        let y = sortable(sites.points()[site as usize][1]);
         Self(u128::from(y) << 32 | u128::from(!rank))
+    }
+
+    fn of_site(sites: &Sites<2>, rank: usize, site: u32) -> Self {
+        Self::new(rank, sortable(sites.points()[site as usize][1]))
     }
 
     #[expect(clippy::cast_possible_truncation, reason = "the lower half is the rank")]
@@ -66,13 +70,30 @@ impl Item {
 
 /// The sites in lexicographic order, to be cut.
 pub(super) fn items(sites: &Sites<2>) -> Vec<Item> {
-    sites.sorted().iter().enumerate().map(|(rank, &site)| Item::new(sites, rank, site)).collect()
+    sites
+        .sorted()
+        .iter()
+        .enumerate()
+        .map(|(rank, &site)| Item::of_site(sites, rank, site))
+        .collect()
+}
+
+/// The same for the vertices of any kernel, `sorted` lexicographically: for y stands the place in the order across y.
+pub(super) fn items_by(kernel: &impl Kernel<2>, sorted: &[u32]) -> Vec<Item> {
+    let vertex = |rank: usize| sorted[rank] as usize;
+    let mut ranks: Vec<usize> = (0..sorted.len()).collect();
+    ranks.sort_by(|&i, &j| Axis::Y.compare(kernel, vertex(i), vertex(j)));
+    let mut items = vec![Item(0); sorted.len()];
+    for (y, rank) in (0u64..).zip(ranks) {
+        items[rank] = Item::new(rank, y);
+    }
+    items
 }
 
 /// [`items`] on the threads there are.
 pub(super) fn items_in_parallel(sites: &Sites<2>) -> Vec<Item> {
     let ranked = sites.sorted().par_iter().with_min_len(THREAD).enumerate();
-    ranked.map(|(rank, &site)| Item::new(sites, rank, site)).collect()
+    ranked.map(|(rank, &site)| Item::of_site(sites, rank, site)).collect()
 }
 
 /// Puts items into the order of the cuts, of which the first is across the axis along which they are `sorted`.
