@@ -1,10 +1,14 @@
 //! The command line: every command and option, with what `--help` says.
 
+mod fuzz;
+
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
+
+pub(crate) use fuzz::{Fuzz, Program, Shrink};
 
 #[derive(Parser)]
 #[command(
@@ -47,6 +51,10 @@ pub(crate) enum Command {
     Draw(Draw),
     /// Draw where a rounded orientation is wrong: three published lines, plain doubles beside exact signs
     Classroom(Classroom),
+    /// Try every law on structured random inputs, or the judge on another program's output
+    Fuzz(Fuzz),
+    /// Make a failing input as small as possible
+    Shrink(Shrink),
     /// List the algorithms, the papers they follow, and what they are for
     Cite,
     /// Print a completion script for a shell

@@ -5,8 +5,10 @@ mod classroom;
 mod compare;
 mod convert;
 mod draw;
+mod fuzz;
 mod generate;
 mod meta;
+mod shrink;
 mod triangulate;
 mod triangulate2d;
 
@@ -25,6 +27,8 @@ pub(crate) fn run(command: &Command) -> Result<(), Failure> {
         Command::Convert(arguments) => convert::convert(arguments),
         Command::Draw(arguments) => draw::draw(arguments),
         Command::Classroom(arguments) => classroom::classroom(arguments),
+        Command::Fuzz(arguments) => fuzz::fuzz(arguments),
+        Command::Shrink(arguments) => shrink::shrink(arguments),
         Command::Cite => meta::cite(),
         Command::Completions { shell } => meta::completions(*shell),
         Command::Man => meta::man(),
