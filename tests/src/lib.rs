@@ -11,7 +11,7 @@
 //! | `constructed` | the mesh of similar plain points; that by rationals | algorithms over constructed points |
 //! | `cgal`, `spade` | the same triangulation as another program's | workloads, and the collected files |
 //! | `dimensions` | Qhull's cells, in general position; validity | four, five and six dimensions |
-//! | `generated` | all laws, shrinking what fails | structured random inputs |
+//! | `generated` | all laws, shrinking what fails | the first cases of every target of the fuzzer |
 //! | `regressions` | all laws | `regressions/`, which only grows |
 //!
 //! **Order of trust** where programs disagree: the judge (`delone::check`), CGAL, spade.

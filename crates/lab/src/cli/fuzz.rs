@@ -24,6 +24,9 @@ pub(crate) struct Fuzz {
     /// Stop after so many cases of each target, all shards together
     #[arg(long, value_name = "N")]
     pub(crate) cases: Option<u64>,
+    /// Stop at the first failure
+    #[arg(long)]
+    pub(crate) first: bool,
     /// A case is a pure function of target, seed and number
     #[arg(long, default_value_t = 1)]
     pub(crate) seed: u64,

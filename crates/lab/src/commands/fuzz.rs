@@ -120,7 +120,7 @@ fn run(
     let count = u32::try_from(targets.len()).expect("a few targets");
     let each = limited.map(|seconds| Duration::try_from_secs_f64(seconds / f64::from(count)));
     let each = each.transpose().map_err(|error| Failure::input(format!("--seconds: {error}")))?;
-    let budget = Budget { seconds: each, cases: arguments.cases };
+    let budget = Budget { seconds: each, cases: arguments.cases, first: arguments.first };
     let (folder, quiet) = (arguments.state.as_deref(), arguments.voice.quiet);
     let mut all = Vec::new();
     for target in targets {

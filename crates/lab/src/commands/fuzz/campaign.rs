@@ -16,6 +16,8 @@ use crate::watch;
 pub(crate) struct Budget {
     pub(crate) seconds: Option<Duration>,
     pub(crate) cases: Option<u64>,
+    /// At the first failure.
+    pub(crate) first: bool,
 }
 
 /// Between two times that the tally is saved.
@@ -36,6 +38,7 @@ pub(crate) fn run(
     let bar = bar(target.name, share, quiet);
     while share.is_none_or(|share| tally.executions < share)
         && budget.seconds.is_none_or(|limit| start.elapsed() < limit)
+        && !(budget.first && !tally.findings.is_empty())
         && !watch::is_interrupted()
     {
         let input = target.case(tally.seed, tally.next());

@@ -20,8 +20,9 @@ pub(crate) struct Kept {
     segments: usize,
 }
 
-/// Smaller inputs tried for each failure.
-const TESTS_MAX: usize = 3000;
+/// Smaller inputs tried for all failures of a target together, and at least for each.
+const TESTS_MAX: usize = 6000;
+const TESTS_MIN: usize = 300;
 
 /// Makes each failure of a tally small, and writes it.
 pub(crate) fn keep(
@@ -31,12 +32,14 @@ pub(crate) fn keep(
     folder: &Path,
 ) -> Result<Vec<Kept>, Failure> {
     let mut kept = Vec::new();
+    let tests = TESTS_MAX / tally.findings.len().max(1);
     for finding in tally.findings.values() {
         let input = target.case(tally.seed, finding.case);
-        let small = smallest(&input, &finding.broken, TESTS_MAX, |input| match program {
-            Some(program) => program.try_on(input).err(),
-            None => (&mut &*target).try_on(input).err(),
-        });
+        let small =
+            smallest(&input, &finding.broken, tests.max(TESTS_MIN), |input| match program {
+                Some(program) => program.try_on(input).err(),
+                None => (&mut &*target).try_on(input).err(),
+            });
         let law = finding.broken.law.replace(' ', "-");
         let name = format!("{}-{law}-seed-{}-case-{}", target.name, tally.seed, finding.case);
         let file = files::path(folder, &name, &small);

@@ -1,7 +1,7 @@
 //! Another program as the subject: it is given a file, and the judge is given what it writes.
 
 use std::fs::File;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::Duration;
 
@@ -133,11 +133,6 @@ impl Program {
         let cells =
             if D == 3 { output.tets.as_flattened() } else { output.triangles.as_flattened() };
         Ok(cells.iter().map(|&id| names[id as usize]).collect())
-    }
-
-    /// Its folder, which goes with it.
-    pub(crate) fn folder(&self) -> PathBuf {
-        self.folder.path().to_owned()
     }
 }
 
