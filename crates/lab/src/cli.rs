@@ -1,6 +1,7 @@
 //! The command line: every command and option, with what `--help` says.
 
 mod fuzz;
+mod replay;
 
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
@@ -9,6 +10,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
 pub(crate) use fuzz::{Fuzz, Program, Shrink};
+pub(crate) use replay::Replay;
 
 #[derive(Parser)]
 #[command(
@@ -55,6 +57,8 @@ pub(crate) enum Command {
     Fuzz(Fuzz),
     /// Make a failing input as small as possible
     Shrink(Shrink),
+    /// Make a page to go through a construction step by step
+    Replay(Replay),
     /// List the algorithms, the papers they follow, and what they are for
     Cite,
     /// Print a completion script for a shell

@@ -8,6 +8,7 @@ mod draw;
 mod fuzz;
 mod generate;
 mod meta;
+mod replay;
 mod shrink;
 mod triangulate;
 mod triangulate2d;
@@ -29,6 +30,7 @@ pub(crate) fn run(command: &Command) -> Result<(), Failure> {
         Command::Classroom(arguments) => classroom::classroom(arguments),
         Command::Fuzz(arguments) => fuzz::fuzz(arguments),
         Command::Shrink(arguments) => shrink::shrink(arguments),
+        Command::Replay(arguments) => replay::replay(arguments),
         Command::Cite => meta::cite(),
         Command::Completions { shell } => meta::completions(*shell),
         Command::Man => meta::man(),

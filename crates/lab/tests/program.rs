@@ -3,6 +3,8 @@
 
 #[path = "program/fuzz.rs"]
 mod fuzz;
+#[path = "program/pages.rs"]
+mod pages;
 #[path = "program/weights.rs"]
 mod weights;
 

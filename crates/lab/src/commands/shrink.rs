@@ -39,6 +39,7 @@ pub(crate) fn shrink(arguments: &cli::Shrink) -> Result<(), Failure> {
         let folder = arguments.input.parent().unwrap_or(std::path::Path::new(""));
         files::path(folder, &format!("{stem}.min"), &small)
     });
+    let broken = run(&small).unwrap_or(broken);
     files::keep(&file, &small, &broken)?;
     let [before, after] = [&input, &small].map(|input| [input.points(), input.segments()]);
     if arguments.voice.json {

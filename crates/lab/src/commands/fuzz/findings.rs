@@ -35,19 +35,21 @@ pub(crate) fn keep(
     let tests = TESTS_MAX / tally.findings.len().max(1);
     for finding in tally.findings.values() {
         let input = target.case(tally.seed, finding.case);
-        let small =
-            smallest(&input, &finding.broken, tests.max(TESTS_MIN), |input| match program {
-                Some(program) => program.try_on(input).err(),
-                None => (&mut &*target).try_on(input).err(),
-            });
+        let mut run = |input: &Input| match program {
+            Some(program) => program.try_on(input).err(),
+            None => (&mut &*target).try_on(input).err(),
+        };
+        let small = smallest(&input, &finding.broken, tests.max(TESTS_MIN), &mut run);
+        // What is said is said of the small one.
+        let broken = run(&small).unwrap_or_else(|| finding.broken.clone());
         let law = finding.broken.law.replace(' ', "-");
         let name = format!("{}-{law}-seed-{}-case-{}", target.name, tally.seed, finding.case);
         let file = files::path(folder, &name, &small);
-        files::keep(&file, &small, &finding.broken)?;
+        files::keep(&file, &small, &broken)?;
         kept.push(Kept {
             target: target.name,
             seed: tally.seed,
-            finding: finding.clone(),
+            finding: Finding { broken, ..finding.clone() },
             file,
             points: small.points(),
             segments: small.segments(),
