@@ -1,5 +1,6 @@
 //! The command line: every command and option, with what `--help` says.
 
+mod bench;
 mod fuzz;
 mod replay;
 
@@ -9,6 +10,7 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
+pub(crate) use bench::{Bench, BenchAction, Engine};
 pub(crate) use fuzz::{Fuzz, Program, Shrink};
 pub(crate) use replay::Replay;
 
@@ -59,6 +61,11 @@ pub(crate) enum Command {
     Shrink(Shrink),
     /// Make a page to go through a construction step by step
     Replay(Replay),
+    /// Time engines side by side, peers included, each judged before its times count
+    Bench(Bench),
+    /// One of our algorithms as an engine of a benchmark
+    #[command(hide = true)]
+    Engine(Engine),
     /// List the algorithms, the papers they follow, and what they are for
     Cite,
     /// Print a completion script for a shell

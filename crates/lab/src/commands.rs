@@ -1,10 +1,12 @@
 //! One file for each command.
 
+mod bench;
 mod check;
 mod classroom;
 mod compare;
 mod convert;
 mod draw;
+mod engine;
 mod fuzz;
 mod generate;
 mod meta;
@@ -31,6 +33,8 @@ pub(crate) fn run(command: &Command) -> Result<(), Failure> {
         Command::Fuzz(arguments) => fuzz::fuzz(arguments),
         Command::Shrink(arguments) => shrink::shrink(arguments),
         Command::Replay(arguments) => replay::replay(arguments),
+        Command::Bench(arguments) => bench::bench(arguments),
+        Command::Engine(arguments) => engine::engine(arguments),
         Command::Cite => meta::cite(),
         Command::Completions { shell } => meta::completions(*shell),
         Command::Man => meta::man(),
