@@ -29,7 +29,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     cdt.sweep();
     segments.into_iter().for_each(|segment| cdt.force(segment));
     cdt.legalize();
-    document.triangles = cdt.triangles.iter().map(|t| t.map(|v| v as u32)).collect();
+    let id = |v: usize| u32::try_from(v).expect("few points");
+    document.triangles = cdt.triangles.iter().map(|t| t.map(id)).collect();
     save(&document, Path::new(written))
 }
 

@@ -38,7 +38,7 @@ pub(crate) fn run(
     let bar = bar(target.name, share, quiet);
     while share.is_none_or(|share| tally.executions < share)
         && budget.seconds.is_none_or(|limit| start.elapsed() < limit)
-        && !(budget.first && !tally.findings.is_empty())
+        && (!budget.first || tally.findings.is_empty())
         && !watch::is_interrupted()
     {
         let input = target.case(tally.seed, tally.next());
