@@ -12,4 +12,4 @@ host=$(rustc -vV | sed -n 's/^host: //p')
 # With --target, build scripts and macros are not instrumented.
 cargo build --release --target "$host" --bin "$target"
 mkdir -p "corpus/$target"
-exec "target/$host/release/$target" -max_len=512 "$@" "corpus/$target"
+exec "target/$host/release/$target" -max_len=512 -len_control=0 "$@" "corpus/$target"
