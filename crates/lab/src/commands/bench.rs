@@ -11,10 +11,12 @@ use std::path::{Path, PathBuf};
 
 use delone_formats::Document;
 use delone_workloads::find;
+use indicatif::ProgressBar;
 use serde_json::{Value, json};
 
 use crate::cli;
 use crate::failure::Failure;
+use crate::progress::spinner;
 use crate::subject::document_of;
 use crate::{output, watch};
 use definition::{Definition, Engine, Engines, Task};
@@ -32,10 +34,12 @@ pub(crate) fn bench(arguments: &cli::Bench) -> Result<(), Failure> {
         definition::read(&engines_path.unwrap_or_else(|| root().join("benches/engines.toml")))?;
     let definitions = definitions(arguments, &engines)?;
     watch::listen();
-    let mut session = Session { arguments, engines: &engines.engine, records: Vec::new() };
+    let bar = spinner(arguments.voice.quiet);
+    let mut session = Session { arguments, engines: &engines.engine, records: Vec::new(), bar };
     for definition in &definitions {
         session.run(definition)?;
     }
+    session.bar.finish_and_clear();
     let records = session.records;
     if let Some(path) = &arguments.csv {
         output::text(path, &record::csv(&records))?;
@@ -86,6 +90,7 @@ struct Session<'s> {
     arguments: &'s cli::Bench,
     engines: &'s [Engine],
     records: Vec<Record>,
+    bar: ProgressBar,
 }
 
 /// An input, with its file and its answer.
@@ -142,6 +147,9 @@ impl Session<'_> {
         let mut engines = self.engines(definition);
         for round in 0..self.arguments.rounds.unwrap_or(definition.rounds) {
             engines.retain(|engine| {
+                let (input, sites) = (&instance.input, instance.document.point_count());
+                let task = &definition.name;
+                self.bar.set_message(format!("{task}: {input}, {sites} sites, {}", engine.name));
                 let turn = turn::run(engine, definition.task, &files, definition.times);
                 let outcome = turn.and_then(|turn| {
                     if round == 0 {
@@ -183,6 +191,7 @@ impl Session<'_> {
         let files = Files { given: nowhere, written: nowhere };
         let rounds = self.arguments.rounds.unwrap_or(definition.rounds);
         for engine in self.engines(definition) {
+            self.bar.set_message(format!("{}: {}", definition.name, engine.name));
             let blank = Record {
                 definition: definition.name.clone(),
                 input: String::new(),

@@ -14,6 +14,7 @@ use serde_json::{Value, json};
 
 use crate::cli;
 use crate::failure::Failure;
+use crate::progress::spinner;
 use crate::{output, watch};
 use campaign::Budget;
 use findings::Kept;
@@ -52,6 +53,8 @@ pub(crate) fn fuzz(arguments: &cli::Fuzz) -> Result<(), Failure> {
         run(arguments, &targets, &mut program)?
     };
     let mut kept = Vec::new();
+    let bar = spinner(arguments.voice.quiet);
+    bar.set_message("making failures small");
     if arguments.shard.is_none() {
         for Seen { tally, .. } in &seen {
             let target = targets.iter().find(|target| label(target, arguments) == tally.target);
@@ -59,6 +62,7 @@ pub(crate) fn fuzz(arguments: &cli::Fuzz) -> Result<(), Failure> {
             kept.extend(findings::keep(target, tally, &mut program, &arguments.output)?);
         }
     }
+    bar.finish_and_clear();
     tell(arguments, canary, &seen, &kept);
     if watch::is_interrupted() {
         return Err(Failure::Limit("interrupted; what was found until then is told".to_owned()));

@@ -8,6 +8,7 @@ use super::fuzz::{files, findings, target_for};
 use crate::cli;
 use crate::failure::Failure;
 use crate::output;
+use crate::progress::spinner;
 
 pub(crate) fn shrink(arguments: &cli::Shrink) -> Result<(), Failure> {
     output::check_paths(arguments.output.as_deref())?;
@@ -33,7 +34,10 @@ pub(crate) fn shrink(arguments: &cli::Shrink) -> Result<(), Failure> {
             "{name}: nothing fails here, so nothing can be made smaller"
         )));
     };
+    let bar = spinner(arguments.voice.quiet);
+    bar.set_message("making it smaller");
     let small = findings::smallest(&input, &broken, arguments.tests, &mut run);
+    bar.finish_and_clear();
     let file = arguments.output.clone().unwrap_or_else(|| {
         let stem = arguments.input.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         let folder = arguments.input.parent().unwrap_or(std::path::Path::new(""));

@@ -138,3 +138,17 @@ fn bad_definitions_are_named() {
         assert!(status == 2 && error.contains(expected), "{text}: {error}");
     }
 }
+
+/// The project's own definitions are read, and what is small in them is run: the pinned answers are the answers.
+#[test]
+fn the_definitions_of_the_project_hold() {
+    let folder = folder();
+    let words =
+        ["bench", "--sites-max", "1000", "--rounds", "1", "--only", "chew,cavity", "--json"];
+    let (status, out, error) = run(folder.path(), &words);
+    assert_eq!(status, 0, "{error}");
+    let object: Value = serde_json::from_str(&out).unwrap();
+    let (chew, cavity) = (rows(&object, "chew", 1000), rows(&object, "cavity", 1000));
+    assert_eq!((chew.len(), cavity.len()), (2, 2), "the ladder, twice in one turn");
+    assert!(chew.iter().chain(&cavity).all(|row| row["verdict"] == "ok"), "{object}");
+}

@@ -15,7 +15,12 @@ fn json(folder: &Path, words: &[&str]) -> (i32, Value) {
 /// The triangulator of the examples, beside the tests' own programs.
 fn buggy() -> PathBuf {
     let tests = std::env::current_exe().unwrap();
-    tests.ancestors().nth(2).unwrap().join("examples/buggy_cdt")
+    let program = tests.ancestors().nth(2).unwrap().join("examples/buggy_cdt");
+    assert!(
+        program.is_file(),
+        "cargo test -p delone-lab builds the examples, too; --test program alone does not"
+    );
+    program
 }
 
 #[test]
