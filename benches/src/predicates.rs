@@ -2,8 +2,8 @@
 //!
 //! **Inputs.** R: uniform in the unit cube. N: near-degenerate, points rounded onto a common line (256 x 256 neighbours
 //! of (1/2, 1/2) against (12, 12) and (24, 24), \[KMPSY08\]), circle, plane, sphere. G: exactly degenerate on an integer
-//! grid of 2,000. W: exactly degenerate, full mantissas, exponents in +-20, so that differences are not doubles. V and X:
-//! exponents in +-350 and +-950, not degenerate.
+//! grid of 2,000. W: exactly degenerate, full mantissas, exponents in +-20, so that differences are not doubles; Z: the same, exponents
+//! in +-350. V and X: exponents in +-350 and +-950, not degenerate.
 //!
 //! **Biases.** Ours are measured on R with the static filter's bounds known beforehand, as an algorithm has them.
 //! Inputs of one cell are of one kind, so branches on the stage are predictable; signs are not.
@@ -13,12 +13,14 @@ mod cgal;
 mod constructed;
 mod contestants;
 mod inputs;
+mod instructions;
 
 pub use batch::batches;
 pub use cgal::Cgal;
 pub use constructed::constructions;
 pub use contestants::{Contestant, contestants};
 pub use inputs::{Input, tuples};
+pub use instructions::{instructions_of, repeat};
 
 /// A predicate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

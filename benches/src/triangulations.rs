@@ -1,7 +1,7 @@
 //! Triangulations beside their peers: who takes part, and what each is given.
 //!
-//! Everyone gets the same points in the same order and is timed from them to its triangulation: ours with `Sites::new` or
-//! `Pslg::new`, that is, validation, removal of duplicates and, with segments, noding; peers as their documentation
+//! Everyone gets the same points in the same order and is timed from them to its triangulation: ours with validation, removal of
+//! duplicates and, with segments, noding (`Sites::new`, `cdt::from_points`); peers as their documentation
 //! recommends (bulk loading, range insertion). The conversion of points to a peer's types before, and of its triangles to ours after,
 //! are not timed. What comes out is judged once by `delone-check`, as foreign output: ties may be broken in any way.
 

@@ -2,9 +2,9 @@
 //!
 //! ```sh
 //! cargo run --release -p delone-benches --bin triangulation_table -- \
-//!     [--workloads uniform,grid] [--sizes 10000,1000000] [--rounds 3] [--threads 2] [--judge-max 200000]
+//!     [--workloads uniform,grid] [--sizes 10000,1000000] [--rounds 3] [--threads 2] [--judge-max 200000] [--segments 200000]
 //! ```
-//! A workload's kind decides who takes part: the plane, the plane with segments, or space. Contestants are judged where
+//! Of a workload's segments the first `--segments` are taken. A workload's kind decides who takes part: the plane, the plane with segments, or space. Contestants are judged where
 //! there are at most `--judge-max` sites; `x` marks a wrong triangulation, `-` a refusal.
 #![expect(clippy::print_stdout, reason = "it prints a table")]
 
@@ -25,7 +25,8 @@ fn main() {
         for size in list("--sizes", "10000,100000,1000000") {
             let input =
                 generate(&workload, size.parse().expect("a number"), 1).expect("a workload");
-            let segments = input.segments;
+            let mut segments = input.segments;
+            segments.truncate(number("--segments", "4294967295"));
             let row = match input.points {
                 Points::Plane(points) => {
                     let who = plane(&peers, !segments.is_empty(), number("--threads", "2"));

@@ -67,6 +67,20 @@ fn tally(values: impl Iterator<Item = f64>) -> [usize; 2] {
     })
 }
 
+/// A point of apfp's.
+fn near([x, y]: [f64; 2]) -> apfp::geometry::f64::Coord {
+    apfp::geometry::f64::Coord::new(x, y)
+}
+
+/// An answer of apfp's.
+fn turn(turn: apfp::geometry::Orientation) -> f64 {
+    match turn {
+        apfp::geometry::Orientation::CounterClockwise => 1.0,
+        apfp::geometry::Orientation::CoLinear => 0.0,
+        apfp::geometry::Orientation::Clockwise => -1.0,
+    }
+}
+
 fn orient2d(points: Vec<[f64; 2]>) -> Vec<Contestant> {
     let coord = |[x, y]: [f64; 2]| robust::Coord { x, y };
     let (ours, exact) = (Adaptive::new(points.clone()), Exact::new(points.clone()));
@@ -76,6 +90,9 @@ fn orient2d(points: Vec<[f64; 2]>) -> Vec<Contestant> {
         each("free", &points, |&[a, b, c]| value(delone_predicates::orient2d(a, b, c))),
         each("robust", &points, move |&[a, b, c]| robust::orient2d(coord(a), coord(b), coord(c))),
         each("geometry-predicates", &points, |&[a, b, c]| geometry_predicates::orient2d(a, b, c)),
+        each("apfp", &points, |&[a, b, c]| {
+            turn(apfp::geometry::f64::orient2d(&near(a), &near(b), &near(c)))
+        }),
         each("rug integers", &points, |call: &[_; 3]| oracle::orient(call).into()),
         each("naive", &points, |[a, b, c]| {
             (a[0] - c[0]) * (b[1] - c[1]) - (a[1] - c[1]) * (b[0] - c[0])
@@ -95,6 +112,9 @@ fn in_circle(points: Vec<[f64; 2]>) -> Vec<Contestant> {
         }),
         each("geometry-predicates", &points, |&[a, b, c, d]| {
             geometry_predicates::incircle(a, b, c, d)
+        }),
+        each("apfp", &points, |&[a, b, c, d]| {
+            turn(apfp::geometry::f64::incircle(&near(a), &near(b), &near(c), &near(d)))
         }),
         each("rug integers", &points, |call: &[_; 4]| oracle::in_sphere(call).into()),
         each("naive", &points, |&[a, b, c, d]| {

@@ -14,6 +14,8 @@ pub enum Input {
     G,
     /// Degenerate, wide exponents.
     W,
+    /// As W, exponents in +-350.
+    Z,
     /// Exponents in +-350.
     V,
     /// Exponents in +-950.
@@ -22,7 +24,27 @@ pub enum Input {
 
 impl Input {
     /// All kinds.
-    pub const ALL: [Self; 6] = [Self::R, Self::N, Self::G, Self::W, Self::V, Self::X];
+    pub const ALL: [Self; 7] = [Self::R, Self::N, Self::G, Self::W, Self::Z, Self::V, Self::X];
+
+    /// Its name in tables.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::R => "R",
+            Self::N => "N",
+            Self::G => "G",
+            Self::W => "W",
+            Self::Z => "Z",
+            Self::V => "V",
+            Self::X => "X",
+        }
+    }
+
+    /// A full mantissa of an input that is degenerate by construction.
+    fn wide(self, random: &mut Random) -> f64 {
+        let range = if self == Self::Z { 350 } else { 20 };
+        random.scaled(-range, range)
+    }
 }
 
 /// `count` calls' points one after the other, padded to three coordinates.
@@ -69,7 +91,7 @@ fn line(input: Input, random: &mut Random) -> [[f64; 3]; 3] {
             let [x, y, dx, dy] = [0; 4].map(|_| random.whole(-300, 300));
             [1.0, 2.0, 3.0].map(|t| [x + t * dx, y + t * dy, 0.0])
         }
-        _ => [0; 3].map(|_| random.scaled(-20, 20)).map(|x| [x, 2.0 * x, 0.0]),
+        _ => [0; 3].map(|_| input.wide(random)).map(|x| [x, 2.0 * x, 0.0]),
     }
 }
 
@@ -87,7 +109,7 @@ fn circle(input: Input, random: &mut Random) -> [[f64; 3]; 4] {
             [[a, b], [-b, a], [-a, -b], [a, -b]].map(|[dx, dy]| [x + dx, y + dy, 0.0])
         }
         _ => {
-            let [x, y] = [random.scaled(-20, 20), random.scaled(-20, 20)];
+            let [x, y] = [input.wide(random), input.wide(random)];
             [[x, y], [-y, x], [-x, -y], [y, x]].map(|[x, y]| [x, y, 0.0])
         }
     }
@@ -108,7 +130,7 @@ fn plane(input: Input, random: &mut Random) -> [[f64; 3]; 4] {
                 .map(|[s, t]| std::array::from_fn(|axis| p[axis] + s * u[axis] + t * v[axis]))
         }
         _ => [0; 4].map(|_| {
-            let (x, y) = (random.scaled(-20, 20), random.scaled(-20, 20));
+            let (x, y) = (input.wide(random), input.wide(random));
             [x, y, 2.0 * x]
         }),
     }
@@ -131,7 +153,7 @@ fn sphere(input: Input, random: &mut Random) -> [[f64; 3]; 5] {
             let [x, y, z, a, b, c] = [0; 6].map(|_| random.whole(-500, 500));
             turned(a, b, c).map(|[dx, dy, dz]| [x + dx, y + dy, z + dz])
         }
-        _ => turned(random.scaled(-20, 20), random.scaled(-20, 20), random.scaled(-20, 20)),
+        _ => turned(input.wide(random), input.wide(random), input.wide(random)),
     }
 }
 

@@ -4,9 +4,10 @@ use std::cell::RefCell;
 use std::num::NonZeroUsize;
 use std::time::Instant;
 
-use delone::cdt::algorithms as constrained_algorithms;
+use delone::cdt::{Cdt, chew_from_points, from_points};
 use delone::delaunay::{Options, algorithms};
 use delone::mesh::Mesh;
+use delone::sites::PslgError;
 use delone::{Pslg, Sites};
 use delone_tests::cgal::{Answer, Cgal};
 use spade::{ConstrainedDelaunayTriangulation, DelaunayTriangulation, Point2, Triangulation};
@@ -32,12 +33,10 @@ impl Peers {
 pub fn plane(peers: &Peers, constrained: bool, threads_max: usize) -> Vec<Contestant<'_, 2>> {
     let mut all = Vec::new();
     if constrained {
-        for algorithm in constrained_algorithms() {
-            if algorithm.name != "naive" && algorithm.name != "flips" {
-                let run = move |task: &Task<2>| ours_constrained(algorithm.run, task);
-                all.push(Contestant { name: algorithm.name, ours: true, run: Box::new(run) });
-            }
-        }
+        let run = |task: &Task<2>| ours_constrained(from_points, task);
+        all.push(Contestant { name: "cavity", ours: true, run: Box::new(run) });
+        let run = |task: &Task<2>| ours_constrained(chew_from_points, task);
+        all.push(Contestant { name: "chew", ours: true, run: Box::new(run) });
         all.push(peer("spade", spade_constrained));
     } else {
         ours(&mut all, threads_max);
@@ -111,14 +110,14 @@ fn ours<const D: usize>(all: &mut Vec<Contestant<'_, D>>, threads_max: usize) {
     }
 }
 
-fn ours_constrained(run: fn(&Pslg, &Options) -> delone::cdt::Cdt, task: &Task<2>) -> Run {
+/// From points and segments to the noded graph and its triangulation.
+type FromPoints = fn(&[[f64; 2]], &[[usize; 2]], &mut ()) -> Result<(Pslg, Cdt), PslgError>;
+
+fn ours_constrained(run: FromPoints, task: &Task<2>) -> Run {
     let segments: Vec<[usize; 2]> =
         task.segments.iter().map(|ends| ends.map(|id| id as usize)).collect();
-    let (seconds, (pslg, result)) = timed(|| {
-        let pslg = Pslg::new(&task.points, &segments).expect("the workload has no crossings");
-        let result = run(&pslg, &Options::default());
-        (pslg, result)
-    });
+    let (seconds, result) = timed(|| run(&task.points, &segments, &mut ()));
+    let (pslg, result) = result.expect("the workload has no crossings");
     Run { seconds, cells: Some(cells(result.mesh(), pslg.sites().input_of())) }
 }
 

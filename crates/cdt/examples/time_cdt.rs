@@ -1,13 +1,13 @@
 //! Times the reading of a PSLG and the algorithms on it: nanoseconds a site, the median of several runs and the best one.
 //!
 //! ```sh
-//! cargo run --release -p delone-cdt --example time_cdt -- [WORKLOAD] [SITES] [RUNS] [PART OF AN ALGORITHM'S NAME]
+//! cargo run --release -p delone-cdt --example time_cdt -- [WORKLOAD] [SITES] [RUNS] [PART OF A ROW'S NAME] [SEGMENTS]
 //! ```
 #![expect(clippy::print_stdout, clippy::disallowed_methods, reason = "it prints times")]
 
 use std::time::Instant;
 
-use delone_cdt::algorithms;
+use delone_cdt::{algorithms, chew_from_points, from_points};
 use delone_delaunay::Options;
 use delone_sites::{Pslg, Sites};
 use delone_workloads::{Points, generate};
@@ -19,14 +19,33 @@ fn main() {
     let (runs, part) = (word(2, "3").parse().expect("a number"), word(3, ""));
     let input = generate(&workload, n.parse().expect("a number"), 1).expect("a workload");
     let Points::Plane(points) = input.points else { panic!("{workload} is not planar") };
-    let segments: Vec<[usize; 2]> =
+    let mut segments: Vec<[usize; 2]> =
         input.segments.iter().map(|ends| ends.map(|id| id as usize)).collect();
+    segments.truncate(words.get(4).map_or(usize::MAX, |text| text.parse().expect("a number")));
     println!("{workload}: {} points, {} segments", points.len(), segments.len());
-    time("Sites::new", runs, points.len(), || Sites::new(&points).expect("finite points"));
+    let asked = |name: &str| name.contains(&part);
+    if asked("Sites::new") {
+        time("Sites::new", runs, points.len(), || Sites::new(&points).expect("finite points"));
+    }
+    if asked("from_points") {
+        time("from_points", runs, points.len(), || {
+            from_points(&points, &segments, &mut ()).expect("no crossings")
+        });
+    }
+    if asked("chew_from_points") {
+        time("chew_from_points", runs, points.len(), || {
+            chew_from_points(&points, &segments, &mut ()).expect("no crossings")
+        });
+    }
+    let chosen: Vec<_> =
+        algorithms().into_iter().filter(|a| asked(a.name) && a.name != "naive").collect();
+    if chosen.is_empty() && !asked("Pslg::new") {
+        return;
+    }
     let pslg = time("Pslg::new", runs, points.len(), || {
         Pslg::new(&points, &segments).expect("no crossings")
     });
-    for algorithm in algorithms().iter().filter(|a| a.name.contains(&part) && a.name != "naive") {
+    for algorithm in chosen {
         time(algorithm.name, runs, points.len(), || (algorithm.run)(&pslg, &Options::default()));
     }
 }

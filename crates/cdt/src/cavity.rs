@@ -9,10 +9,11 @@
 //! ```
 //!
 //! **Paper.** [SB15]; walking along the segment as in [Ang97].
-//! **In.** A noded PSLG and the Delaunay mesh of its sites. **Out.** The constrained Delaunay mesh, and which of its
-//! half-edges are constrained.
-//! **Invariants.** 1. After each segment the mesh is the CDT of the sites and the segments so far. 2. The PSLG is noded:
-//! no site is inside a subsegment, and no subsegment crosses another.
+//! **In.** Segments and the Delaunay mesh of the sites. Segments that are not noded are noded on the way: a piece ends where
+//! the walk comes upon a site, and a crossing shows as a constrained edge in the way. **Out.** The constrained Delaunay mesh,
+//! which of its half-edges are constrained, and the pieces; or that segments cross.
+//! **Invariants.** 1. After each piece the mesh is the CDT of the sites and the pieces so far. 2. [`insert_segments`] is given a
+//! noded PSLG: no site is inside a subsegment, and no subsegment crosses another.
 //! **Cost.** Expected O(1) for each edge crossed, and the lower of the degrees of the segment's ends.
 //!
 //! **Degeneracies.**
@@ -21,13 +22,18 @@
 //! | the segment is an edge already | marked | `an_edge_that_is_there_is_only_marked` |
 //! | an edge with both triangles crossed, itself not | comes twice in a chain, its new triangles are glued to each other | `a_dangling_edge_is_triangulated_on_both_sides` |
 //! | all sites in line | the mesh is a chain, its cells are the edges | `a_chain_has_its_segments` |
+//! | a site inside the segment | the piece ends there | `every_soup_of_a_grid_is_noded_on_the_way` |
+//! | pieces of several segments are one | the edge is there when the later comes | `every_soup_of_a_grid_is_noded_on_the_way` |
+//! | segments cross | nothing is returned | `every_soup_of_a_grid_is_noded_on_the_way` |
 
 use delone_mesh::{CellId, HalfEdge, Mesh, VertexId};
 use delone_predicates::{PlaneKernel, Sign};
 use delone_probe::{Event, Probe};
-use delone_sites::scatter;
+use delone_sites::{Piece, scatter};
 
 use crate::fill::{Beyond, Filler};
+
+mod present;
 
 /// Inserts the subsegments of a noded PSLG into the Delaunay mesh of its sites. See the module's text.
 ///
@@ -43,20 +49,65 @@ pub fn insert_segments(
     probe: &mut impl Probe,
 ) -> (Mesh<2>, Vec<bool>) {
     let mut work = Work::new(mesh, kernel, sites);
-    let mut missing: Vec<(u64, Ends)> = Vec::new();
-    for (number, ends) in (0u64..).zip(subsegments) {
-        let ends = ends.map(|site| VertexId::new(site as usize));
-        if work.mark_edge(ends, probe).is_err() {
-            missing.push((scatter(number), ends));
-        }
-    }
-    missing.sort_unstable(); // random order, on which the expected cost rests
-    for (random, ends) in missing {
+    let present = work.mark_present(sites, subsegments, probe);
+    for (random, number) in in_random_order(&present) {
+        let ends = subsegments[number].map(|site| VertexId::new(site as usize));
         if let Err([a, b]) = work.mark_edge(ends, probe) {
-            work.insert(a, b, random, probe);
+            let end = work.advance([a, b], random, probe).expect("Inv 2: segments do not cross");
+            assert_eq!(end, b, "Inv 2: no site is inside a subsegment");
         }
     }
     work.finish()
+}
+
+/// The segments that are not present, in random order, on which the expected cost rests.
+fn in_random_order(present: &[bool]) -> Vec<(u64, usize)> {
+    let missing = (0..).zip(present).filter(|&(_, &present)| !present);
+    let mut missing: Vec<(u64, usize)> =
+        missing.map(|(number, _)| (scatter(number as u64), number)).collect();
+    missing.sort_unstable();
+    missing
+}
+
+/// Two segments cross.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Crossed;
+
+/// What [`node_and_insert`] makes: the mesh, which half-edges are constrained, the pieces of the segments.
+pub(crate) type Noded = (Mesh<2>, Vec<bool>, Vec<Piece>);
+
+/// [`insert_segments`] for segments between sites that are not noded. Those of no length have no pieces.
+pub(crate) fn node_and_insert(
+    mesh: Mesh<2>,
+    kernel: &impl PlaneKernel,
+    sites: usize,
+    segments: &[[u32; 2]],
+    probe: &mut impl Probe,
+) -> Result<Noded, Crossed> {
+    let mut work = Work::new(mesh, kernel, sites);
+    let present = work.mark_present(sites, segments, probe);
+    let whole = (0u32..).zip(segments).zip(&present).filter(|(_, present)| **present);
+    let mut pieces: Vec<Piece> =
+        whole.map(|((segment, &ends), _)| Piece::new(ends, segment, 0)).collect();
+    let mut stops = Vec::new();
+    for (random, number) in in_random_order(&present) {
+        let ends = segments[number].map(|site| VertexId::new(site as usize));
+        if ends[0] == ends[1] {
+            continue;
+        }
+        work.insert(ends, random, &mut stops, probe)?;
+        let segment = u32::try_from(number).expect("segments are fewer than ids");
+        let stops = (0u32..).zip(stops.windows(2));
+        pieces.extend(
+            stops.map(|(place, ends)| Piece::new([id(ends[0]), id(ends[1])], segment, place)),
+        );
+    }
+    let (mesh, constrained) = work.finish();
+    Ok((mesh, constrained, pieces))
+}
+
+fn id(v: VertexId) -> u32 {
+    u32::try_from(v.index()).expect("a site's id fits 32 bits")
 }
 
 /// The two ends of a subsegment.
@@ -144,12 +195,51 @@ impl<'k, K: PlaneKernel> Work<'k, K> {
         }
     }
 
-    /// Makes the segment from `a` to `b`, which is no edge, a constrained edge.
-    fn insert(&mut self, a: VertexId, b: VertexId, random: u64, probe: &mut impl Probe) {
-        self.dig_along(a, b, probe);
+    /// Inserts a segment, from its end of lower degree. `stops`: the sites on it from its first end to its second.
+    fn insert(
+        &mut self,
+        ends: Ends,
+        random: u64,
+        stops: &mut Vec<VertexId>,
+        probe: &mut impl Probe,
+    ) -> Result<(), Crossed> {
+        stops.clear();
+        let Err([a, b]) = self.mark_edge(ends, probe) else {
+            stops.extend(ends);
+            return Ok(());
+        };
+        stops.push(a);
+        let mut from = a;
+        while from != b {
+            from = self.advance([from, b], random, probe)?;
+            stops.push(from);
+        }
+        if a != ends[0] {
+            stops.reverse();
+        }
+        Ok(())
+    }
+
+    /// Makes the first piece of the segment from `a` to `b` a constrained edge: as far as `b`, or the first site inside the
+    /// segment. Returns where it ends.
+    fn advance(
+        &mut self,
+        [a, b]: Ends,
+        random: u64,
+        probe: &mut impl Probe,
+    ) -> Result<VertexId, Crossed> {
+        let crossed = match way(&self.mesh, self.kernel, self.cell_of[a.index()], [a, b], probe) {
+            Way::Along(h) => {
+                self.mark(h);
+                probe.on(Event::Subsegment);
+                return Ok(self.mesh.destination(h));
+            }
+            Way::Across(h) => h,
+        };
+        let end = self.dig_along(crossed, [a, b], probe)?;
         self.replaced.clear();
         let lower = std::mem::take(&mut self.lower);
-        let below = self.fill(&lower, b, random, probe);
+        let below = self.fill(&lower, end, random, probe);
         self.lower = lower;
         let mut upper = std::mem::take(&mut self.upper);
         upper.reverse();
@@ -161,11 +251,17 @@ impl<'k, K: PlaneKernel> Work<'k, K> {
         self.dug.iter().for_each(|&cell| self.mesh.retire(cell));
         probe.on(Event::Cavity { cells: self.dug.len() });
         probe.on(Event::Subsegment);
+        Ok(end)
     }
 
-    /// Digs all triangles that the segment crosses, and collects the two chains from `a` to `b`.
-    fn dig_along(&mut self, a: VertexId, b: VertexId, probe: &mut impl Probe) {
-        let mut crossed = way_out(&self.mesh, self.kernel, self.cell_of[a.index()], [a, b], probe);
+    /// Collects all triangles that the segment crosses from `a`, where it leaves through `crossed`, to the next site on it,
+    /// which is returned; and the two chains between these sites.
+    fn dig_along(
+        &mut self,
+        mut crossed: HalfEdge,
+        [a, b]: Ends,
+        probe: &mut impl Probe,
+    ) -> Result<VertexId, Crossed> {
         self.dug.clear();
         self.dug.push(crossed.cell());
         self.lower.clear();
@@ -173,20 +269,22 @@ impl<'k, K: PlaneKernel> Work<'k, K> {
         self.lower.push(self.mesh.prev(crossed));
         self.upper.push(self.mesh.next(crossed));
         loop {
-            assert!(!self.constrained[crossed.index()], "Inv 2: segments do not cross");
+            if self.constrained[crossed.index()] {
+                return Err(Crossed);
+            }
             probe.on(Event::EdgeCrossed);
             let h = self.mesh.twin(crossed);
             let x = self.mesh.apex(h);
-            assert!(!x.is_ghost(), "Inv 2: a segment stays inside the hull");
+            assert!(!x.is_ghost(), "a segment stays inside the hull");
             self.dug.push(h.cell());
             let (right, left) = (self.mesh.next(h), self.mesh.prev(h)); // r to x, x to l
-            if x == b {
-                self.lower.push(right);
-                self.upper.push(left);
-                return;
-            }
-            probe.on(Event::Orient);
-            match self.kernel.orient(&[a, b, x]) {
+            let side = if x == b {
+                Sign::Zero
+            } else {
+                probe.on(Event::Orient);
+                self.kernel.orient(&[a, b, x])
+            };
+            match side {
                 Sign::Positive => {
                     self.upper.push(left);
                     crossed = right;
@@ -195,9 +293,11 @@ impl<'k, K: PlaneKernel> Work<'k, K> {
                     self.lower.push(right);
                     crossed = left;
                 }
-                Sign::Zero => panic!(
-                    "Inv 2: no site is inside a subsegment, but {x:?} is between {a:?} and {b:?}"
-                ),
+                Sign::Zero => {
+                    self.lower.push(right);
+                    self.upper.push(left);
+                    return Ok(x);
+                }
             }
         }
     }
@@ -255,6 +355,53 @@ impl<'k, K: PlaneKernel> Work<'k, K> {
     }
 }
 
+/// How a segment leaves its first end.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Way {
+    /// Along this half-edge, whose destination is on it.
+    Along(HalfEdge),
+    /// Through the inside of this half-edge, which is opposite the end.
+    Across(HalfEdge),
+}
+
+/// How the segment from `a`, which `cell` has, to `b` leaves `a`.
+fn way(
+    mesh: &Mesh<2>,
+    kernel: &impl PlaneKernel,
+    cell: CellId,
+    [a, b]: Ends,
+    probe: &mut impl Probe,
+) -> Way {
+    let [from, to] = [a, b].map(VertexId::index);
+    for h in mesh.ring(a, cell) {
+        let (r, l) = (mesh.destination(h), mesh.apex(h));
+        if r == b {
+            return Way::Along(h);
+        }
+        if r.is_ghost() {
+            continue;
+        }
+        probe.on(Event::Orient);
+        match kernel.orient(&[a, b, r]) {
+            Sign::Positive => {}
+            Sign::Zero => {
+                let ahead = kernel.compare_lexicographic(from, r.index());
+                if ahead == kernel.compare_lexicographic(from, to) {
+                    return Way::Along(h);
+                }
+            }
+            Sign::Negative if l.is_ghost() || l == b => {}
+            Sign::Negative => {
+                probe.on(Event::Orient);
+                if kernel.orient(&[a, b, l]) == Sign::Positive {
+                    return Way::Across(mesh.next(h));
+                }
+            }
+        }
+    }
+    panic!("a segment stays inside the hull, and leaves {a:?} along an edge or through one");
+}
+
 /// The half-edge opposite `a`, which `cell` has, through which the segment to `b` leaves a's star.
 ///
 /// # Panics
@@ -263,16 +410,13 @@ pub(crate) fn way_out(
     mesh: &Mesh<2>,
     kernel: &impl PlaneKernel,
     cell: CellId,
-    [a, b]: Ends,
+    ends: Ends,
     probe: &mut impl Probe,
 ) -> HalfEdge {
-    let crossed = mesh.ring(a, cell).find(|&h| {
-        let (r, l) = (mesh.destination(h), mesh.apex(h));
-        probe.on(Event::Orient);
-        !r.is_ghost()
-            && !l.is_ghost()
-            && kernel.orient(&[a, b, r]) == Sign::Negative
-            && kernel.orient(&[a, b, l]) == Sign::Positive
-    });
-    mesh.next(crossed.expect("Inv 2: a segment that is no edge leaves its end through a triangle"))
+    match way(mesh, kernel, cell, ends, probe) {
+        Way::Across(h) => h,
+        Way::Along(_) => {
+            panic!("Inv 2: a segment that is no edge leaves its end through a triangle")
+        }
+    }
 }

@@ -31,6 +31,7 @@
 //! | all sites in line | no face: a chain | `a_chain_has_its_segments` |
 //! | one half bounds a region's only gap | the gap's chain starts at the half on the right side of it | `chew_agrees_on_random_sets` |
 
+mod divide;
 mod hand_over;
 mod merge;
 mod region;
@@ -39,8 +40,9 @@ mod zip;
 
 use delone_predicates::PlaneKernel;
 use delone_probe::Probe;
-use delone_sites::{Ends, below_and_above};
+use delone_sites::{Ends, Swept};
 
+use divide::Run;
 pub(crate) use hand_over::hand_over;
 use region::{List, Lists, Region, Wall};
 use rings::Rings;
@@ -52,8 +54,9 @@ struct Chew<'k, 'p, K, P> {
     segments: &'k [Ends],
     rings: Rings,
     /// For each site the segments next below and above it.
-    bounds: Vec<[Option<u32>; 2]>,
+    bounds: &'k [[Option<u32>; 2]],
     lists: Lists,
+    run: Run,
     /// The regions of the slabs that are solved and wait for their merge, slab by slab, from bottom to top.
     regions: Vec<Region>,
     /// Of one merge: the regions it makes, and the segments that cross the wall.
@@ -61,18 +64,23 @@ struct Chew<'k, 'p, K, P> {
     wall: Vec<u32>,
 }
 
-/// The edges of the CDT of `count` sites, ranked lexicographically, and `segments` over ranks, smaller rank first.
-pub(crate) fn chew<K: PlaneKernel, P: Probe>(
-    kernel: &K,
-    count: usize,
-    segments: &[Ends],
-    probe: &mut P,
-) -> Rings {
-    let rings = Rings::new(kernel, count, segments);
-    let bounds = below_and_above(kernel, count, segments);
-    let lists = Lists::new(segments.len());
-    let (regions, merged, wall) = (Vec::new(), Vec::new(), Vec::new());
-    let mut work = Chew { kernel, probe, segments, rings, bounds, lists, regions, merged, wall };
+/// The edges of the CDT of sites, ranked lexicographically, and segments, as a sweep over them has found them.
+pub(crate) fn chew<K: PlaneKernel, P: Probe>(kernel: &K, swept: &Swept, probe: &mut P) -> Rings {
+    let (segments, bounds) = (&swept.pieces, &swept.neighbours);
+    let count = bounds.len();
+    let rings = Rings::new(swept);
+    let mut work = Chew {
+        kernel,
+        probe,
+        segments,
+        rings,
+        bounds,
+        lists: Lists::new(segments.len()),
+        run: Run::new(count, segments.len()),
+        regions: Vec::new(),
+        merged: Vec::new(),
+        wall: Vec::new(),
+    };
     let count = u32::try_from(count).expect("sites have 32-bit ids");
     if count > 0 {
         work.solve(0, count);
@@ -81,20 +89,6 @@ pub(crate) fn chew<K: PlaneKernel, P: Probe>(
 }
 
 impl<K: PlaneKernel, P: Probe> Chew<'_, '_, K, P> {
-    /// Triangulates the slab of sites `i` to `j - 1`, and puts its regions on top of the others.
-    fn solve(&mut self, i: u32, j: u32) {
-        if j - i == 1 {
-            let region = self.single(i);
-            return self.regions.push(region);
-        }
-        let m = i + (j - i) / 2;
-        let left = self.regions.len();
-        self.solve(i, m);
-        let right = self.regions.len();
-        self.solve(m, j);
-        self.merge([i, m, j], left, right);
-    }
-
     /// The slab of one site: one region, with the halves of the segments at the site.
     fn single(&mut self, v: u32) -> Region {
         let [low, high] = self.bounds[v as usize];

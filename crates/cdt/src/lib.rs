@@ -16,6 +16,7 @@
 //!
 //! | module | paper | time | when |
 //! |---|---|---|---|
+//! | [`from_points()`] | \[SB15\] | that of [`cavity()`] | points and segments, to be noded on the way: the quickest |
 //! | [`chew()`] | \[Che89\] | O(n log n), whatever the segments | long segments that cross everything |
 //! | [`cavity()`] | \[SB15\] | Delaunay, then expected O(1) for each edge crossed | short segments, as on maps |
 //! | [`flips()`] | \[Slo93\], \[Law77\] | Delaunay, then O(m^2) flips for m edges crossed | to compare |
@@ -43,6 +44,7 @@ mod domain;
 mod dynamic;
 mod fill;
 mod flips;
+mod from_points;
 mod naive;
 mod regions;
 mod registry;
@@ -54,6 +56,7 @@ pub use cavity::insert_segments;
 pub use domain::{Domain, EdgeKind, Fill, FillError, OpenVertex, Role, SeedFault};
 pub use dynamic::{Dynamic, Kept};
 pub use flips::Blocked;
+pub use from_points::{chew_from_points, from_points};
 pub use regions::{RegionId, Regions};
 pub use registry::{Algorithm, algorithms, cavity, cdt_of_arrangement, chew, flips};
 pub use result::Cdt;

@@ -4,7 +4,7 @@ use delone_delaunay::{KernelKind, Options, bowyer_watson, divide_conquer};
 use delone_mesh::{Mesh, VertexId};
 use delone_predicates::{Adaptive, Exact, PlaneKernel};
 use delone_probe::{Event, Probe};
-use delone_sites::{Arrangement, Pslg, scatter};
+use delone_sites::{Arrangement, Pslg, scatter, sweep};
 
 use crate::flips::insert_by_flips;
 use crate::{Cdt, chain, insert_segments, naive};
@@ -163,7 +163,9 @@ where
         })
         .collect();
     let kernel = kernel.reordered(graph.sorted);
-    let rings = crate::chew::chew(&kernel, graph.sorted.len(), &ranked, probe);
+    let swept =
+        sweep(&kernel, graph.sorted.len(), &ranked).expect("a noded graph has no crossings");
+    let rings = crate::chew::chew(&kernel, &swept, probe);
     crate::chew::hand_over(&rings, &kernel, graph.sorted)
 }
 

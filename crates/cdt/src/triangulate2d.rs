@@ -109,7 +109,7 @@ impl Interior {
                 kinds[edge] = Some(kind);
             }
         }
-        let pieces = |chain: &Vec<u32>| {
+        let pieces = |chain: &[u32]| {
             chain.iter().filter_map(|&piece| places[piece as usize].map(id)).collect()
         };
         let pieces = graph.chains().iter().map(pieces).collect();

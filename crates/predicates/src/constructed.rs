@@ -9,10 +9,10 @@
 //! the nearest doubles. Where these are exact, the vertex is as good as plain. Elsewhere they are off by half of the last place
 //! at most, and nearest is monotone: where nearest doubles differ, they are in the order of the exact values.
 //!
-//! **Stages.** Calls on vertices before the first that is rounded are those of [`Adaptive`]. Others: 1. A static filter for all vertices, plain or not: the value of the determinant in nearest doubles over the
-//! bound of *magnitudes*. 2. If all vertices are exact doubles: the stages of [`Adaptive`]. 3. A dynamic filter: the
-//! determinant in doubles that carry their error bounds ([`Approximate`]). 4. The same determinant in
-//! integers of 16 limbs, where these suffice, and then in dyadic numbers.
+//! **Stages.** Calls on vertices that are exact doubles, plain or not, are those of [`Adaptive`]. Others: 1. A static filter for
+//! all vertices: the value of the determinant in nearest doubles over the bound of *magnitudes*. 2. A dynamic filter: the
+//! determinant in doubles that carry their error bounds ([`Approximate`]). 3. In up to three axes, integers of fixed widths
+//! (`constructed/short.rs`). 4. The determinant in dyadic numbers.
 //!
 //! **The static bound.** A difference of nearest doubles has the rounding of the subtraction, at most u |p - q|, and the
 //! errors of p and q, at most u |p| and u |q| (2^-1075 each for denormals). Let M be, on each axis, the extent of the box
@@ -44,22 +44,19 @@ use smallvec::SmallVec;
 
 mod construction;
 mod extent;
+mod short;
 #[cfg(test)]
 mod tests;
 
 pub use construction::{Construction, ConstructionError};
 use extent::Extent;
+use short::Short;
 
 /// Instead of a place among the values: a plain point.
-const PLAIN: u32 = u32::MAX;
+const PLAIN: u32 = u32::MAX >> 1;
 
-/// A constructed point.
-#[derive(Clone, Debug)]
-struct Value<const D: usize> {
-    exact: Homogeneous<Dyadic, D>,
-    /// Whether the nearest doubles are not the point itself.
-    rounded: bool,
-}
+/// Added to the place of a vertex whose nearest doubles are not the point itself.
+const ROUNDED: u32 = 1 << 31;
 
 /// A kernel over plain points and points constructed from them; ids are in the order of [`Constructed::push`].
 ///
@@ -79,13 +76,15 @@ struct Value<const D: usize> {
 pub struct Constructed<const D: usize> {
     /// Of all vertices, the nearest doubles.
     positions: Vec<[f64; D]>,
-    /// The place of a vertex among the values, or `PLAIN`. Empty beyond its end: plain.
+    /// The place of a vertex among the values, or `PLAIN`; and whether it is `ROUNDED`.
     places: Vec<u32>,
-    values: Vec<Value<D>>,
+    values: Vec<Homogeneous<Dyadic, D>>,
     /// Vertices of a smaller index are exact in doubles, and so are most calls known to be.
     exact_below: usize,
     extent: Extent<D>,
-    /// Of the positions, as plain points.
+    /// Of the vertices that are exact in doubles.
+    extent_exact: Extent<D>,
+    /// Of calls on vertices that are exact in doubles.
     bounds: Bounds,
     /// Of the positions as nearest doubles.
     wide: Bounds,
@@ -100,9 +99,16 @@ impl<const D: usize> Constructed<D> {
             extent.include(point);
         });
         let places = vec![PLAIN; points.len()];
-        let [bounds, wide] = extent.bounds();
-        let exact_below = points.len();
-        Self { positions: points, places, values: Vec::new(), exact_below, extent, bounds, wide }
+        Self {
+            exact_below: points.len(),
+            positions: points,
+            places,
+            values: Vec::new(),
+            extent,
+            extent_exact: extent,
+            bounds: extent.bounds(),
+            wide: extent.wide_bounds(),
+        }
     }
 
     /// The number of vertices.
@@ -137,7 +143,9 @@ impl<const D: usize> Constructed<D> {
         for id in construction.parents() {
             match self.places.get(id as usize) {
                 None => return Err(ConstructionError::Unknown { id }),
-                Some(&place) if place != PLAIN => return Err(ConstructionError::NotPlain { id }),
+                Some(&place) if place & !ROUNDED != PLAIN => {
+                    return Err(ConstructionError::NotPlain { id });
+                }
                 Some(_) => {}
             }
         }
@@ -146,18 +154,21 @@ impl<const D: usize> Constructed<D> {
         let is_exact = |axis: usize| {
             position[axis].is_finite() && Dyadic::from(position[axis]) * &exact.w == exact.x[axis]
         };
-        let rounded = !(0..D).all(is_exact);
-        let place = u32::try_from(self.values.len()).expect("fewer than 2^32 points");
-        self.values.push(Value { exact, rounded });
-        Ok(self.add(position, place))
+        let rounded = if (0..D).all(is_exact) { 0 } else { ROUNDED };
+        let place = u32::try_from(self.values.len()).ok().filter(|&place| place < PLAIN);
+        self.values.push(exact);
+        Ok(self.add(position, place.expect("fewer than 2^31 - 1 constructed points") | rounded))
     }
 
     fn add(&mut self, position: [f64; D], place: u32) -> u32 {
-        let id = u32::try_from(self.positions.len()).ok().filter(|&id| id != PLAIN);
+        let id = u32::try_from(self.positions.len()).ok().filter(|&id| id != u32::MAX);
         self.positions.push(position);
         self.places.push(place);
         if self.extent.include(&position) {
-            [self.bounds, self.wide] = self.extent.bounds();
+            self.wide = self.extent.wide_bounds();
+        }
+        if place & ROUNDED == 0 && self.extent_exact.include(&position) {
+            self.bounds = self.extent_exact.bounds();
         }
         self.grow_exact();
         id.expect("fewer than 2^32 - 1 points")
@@ -185,7 +196,7 @@ impl<const D: usize> Constructed<D> {
     /// Whether a vertex is a plain point.
     #[must_use]
     pub fn is_plain(&self, id: u32) -> bool {
-        self.places[id as usize] == PLAIN
+        self.value_at(id as usize).is_none()
     }
 
     /// Whether [`Constructed::position`] is the vertex itself.
@@ -202,15 +213,26 @@ impl<const D: usize> Constructed<D> {
 
     #[inline(always)]
     fn is_rounded(&self, v: usize) -> bool {
-        let place = self.places[v];
-        place != PLAIN && self.values[place as usize].rounded
+        self.places[v] & ROUNDED != 0
+    }
+
+    /// The value of a vertex that is not plain.
+    fn value_at(&self, v: usize) -> Option<&Homogeneous<Dyadic, D>> {
+        let place = self.places[v] & !ROUNDED;
+        (place != PLAIN).then(|| &self.values[place as usize])
     }
 
     pub(crate) fn exact_at(&self, v: usize) -> Homogeneous<Dyadic, D> {
-        match self.places[v] {
-            PLAIN => Homogeneous::plain(self.positions[v].map(Dyadic::from)),
-            place => self.values[place as usize].exact.clone(),
+        match self.value_at(v) {
+            None => Homogeneous::plain(self.positions[v].map(Dyadic::from)),
+            Some(exact) => exact.clone(),
         }
+    }
+
+    /// The vertex in doubles, if it is exact in them.
+    #[inline]
+    pub(crate) fn plain_at(&self, v: usize) -> Option<[f64; D]> {
+        (!self.is_rounded(v)).then(|| self.positions[v])
     }
 
     pub(crate) fn approximate_at(&self, v: usize) -> Homogeneous<Approximate, D> {
@@ -226,8 +248,8 @@ impl<const D: usize> Constructed<D> {
     }
 
     #[inline(always)]
-    fn all_exact<V: Id>(&self, mut vertices: impl Iterator<Item = V>) -> bool {
-        vertices.all(|v| v.index() < self.exact_below || !self.is_rounded(v.index()))
+    fn all_exact<V: Id>(&self, vertices: impl Iterator<Item = V>) -> bool {
+        vertices.fold(0, |places, v| places | self.places[v.index()]) & ROUNDED == 0
     }
 
     /// The last stages: of the sign of a determinant over a ring.
@@ -236,10 +258,14 @@ impl<const D: usize> Constructed<D> {
         &self,
         vertices: impl Iterator<Item = V> + Clone,
         formula: &impl Formula<D, Answer = Sign>,
+        in_short: impl FnOnce(&Short<'_, D>) -> Option<Sign>,
     ) -> (Sign, Stage) {
         let near = vertices.clone().map(|v| self.approximate_at(v.index())).collect();
         if let Some(sign) = formula.answer(&Call { points: near, squares: SmallVec::new() }) {
             return (sign, Stage::DynamicFilter);
+        }
+        if let Some(sign) = in_short(&Short::new(self, vertices.clone())) {
+            return (sign, Stage::FixedWidth);
         }
         let points = vertices.map(|v| self.exact_at(v.index())).collect();
         (exactly(formula, &Call { points, squares: SmallVec::new() }), Stage::Dyadic)
@@ -248,13 +274,14 @@ impl<const D: usize> Constructed<D> {
     fn orient_by_ring<V: Id>(&self, axes: &[usize], simplex: &[V]) -> (Sign, Stage) {
         let k = axes.len();
         assert_eq!(simplex.len(), k + 1, "orient in {k} axes takes {} points", k + 1);
-        self.by_ring(simplex.iter().copied(), &Orient(axes))
+        self.by_ring(simplex.iter().copied(), &Orient(axes), |short| short.orient(axes))
     }
 
     fn lifted_by_ring<V: Id>(&self, axes: &[usize], simplex: &[V], q: V) -> (Sign, Stage) {
         let k = axes.len();
         assert_eq!(simplex.len(), k + 1, "in_sphere in {k} axes takes {} points", k + 2);
-        self.by_ring(simplex.iter().copied().chain([q]), &Lifted(axes))
+        let vertices = simplex.iter().copied().chain([q]);
+        self.by_ring(vertices, &Lifted(axes), |short| short.lifted(axes))
     }
 
     /// The first stage.
@@ -280,17 +307,14 @@ impl<const D: usize> Kernel<D> for Constructed<D> {
     fn reordered(&self, order: &[u32]) -> Self {
         let mut values = Vec::new();
         let mut place_of = |&i: &u32| {
-            let place = self.places[i as usize];
-            if place == PLAIN {
-                return PLAIN;
-            }
-            values.push(self.values[place as usize].clone());
-            u32::try_from(values.len() - 1).expect("no more values than vertices")
+            let Some(value) = self.value_at(i as usize) else { return PLAIN };
+            values.push(value.clone());
+            let place = u32::try_from(values.len() - 1).expect("no more values than vertices");
+            place | self.places[i as usize] & ROUNDED
         };
         let places = order.iter().map(&mut place_of).collect();
         let positions = crate::adaptive::gather(&self.positions, order);
-        let (extent, bounds, wide) = (self.extent, self.bounds, self.wide);
-        let mut kernel = Self { positions, places, values, exact_below: 0, extent, bounds, wide };
+        let mut kernel = Self { positions, places, values, exact_below: 0, ..*self };
         kernel.grow_exact();
         kernel
     }
@@ -353,6 +377,9 @@ impl<const D: usize> Kernel<D> for Constructed<D> {
 impl<const D: usize> Constructed<D> {
     #[inline]
     fn orient_mixed<V: Id>(&self, simplex: &[V]) -> (Sign, Stage) {
+        if self.all_exact(simplex.iter().copied()) {
+            return self.nearest().orient_staged(simplex);
+        }
         let value = match *simplex {
             [a, b, c] if D == 2 => {
                 let [a, b, c] = at(&self.positions, [a, b, c]);
@@ -361,41 +388,34 @@ impl<const D: usize> Constructed<D> {
             [a, b, c, d] if D == 3 => value::orient3d(at(&self.positions, [a, b, c, d])),
             _ => 0.0,
         };
-        Self::by_static_filter(value, self.wide.orient).unwrap_or_else(|| {
-            if self.all_exact(simplex.iter().copied()) {
-                self.nearest().orient_staged(simplex)
-            } else {
-                self.orient_by_ring(&all_axes::<D>(), simplex)
-            }
-        })
+        Self::by_static_filter(value, self.wide.orient)
+            .unwrap_or_else(|| self.orient_by_ring(&all_axes::<D>(), simplex))
     }
 
     #[inline]
     fn lifted_mixed<V: Id>(&self, simplex: &[V], q: V) -> (Sign, Stage) {
+        if self.all_exact(simplex.iter().copied().chain([q])) {
+            return self.nearest().lifted_staged(simplex, q);
+        }
         let value = match *simplex {
             [a, b, c] if D == 2 => value::in_circle(at(&self.positions, [a, b, c, q])),
             [a, b, c, d] if D == 3 => value::in_sphere(at(&self.positions, [a, b, c, d, q])),
             _ => 0.0,
         };
-        Self::by_static_filter(value, self.wide.lifted).unwrap_or_else(|| {
-            if self.all_exact(simplex.iter().copied().chain([q])) {
-                self.nearest().lifted_staged(simplex, q)
-            } else {
-                self.lifted_by_ring(&all_axes::<D>(), simplex, q)
-            }
-        })
+        Self::by_static_filter(value, self.wide.lifted)
+            .unwrap_or_else(|| self.lifted_by_ring(&all_axes::<D>(), simplex, q))
     }
 }
 
 impl PlaneKernel for Constructed<2> {
     fn cross<V: Id>(&self, vertices: [V; 4]) -> Sign {
+        if self.all_exact(vertices.into_iter()) {
+            return self.nearest().cross(vertices);
+        }
         let value = value::cross(at(&self.positions, vertices));
         if let Some((sign, _)) = Self::by_static_filter(value, self.wide.orient) {
             return sign;
         }
-        if self.all_exact(vertices.into_iter()) {
-            return self.nearest().cross(vertices);
-        }
-        self.by_ring(vertices.into_iter(), &Cross).0
+        self.by_ring(vertices.into_iter(), &Cross, |_| None).0
     }
 }

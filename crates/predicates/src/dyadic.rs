@@ -105,7 +105,7 @@ impl Dyadic {
     }
 
     /// The exponent of the highest bit; not for zero.
-    fn top(&self) -> i64 {
+    pub(crate) fn top(&self) -> i64 {
         self.exponent + limbs::length(limbs::bits(&self.mantissa)) - 1
     }
 

@@ -9,6 +9,7 @@
 //! | machine words | b <= 30, 30, 20 (orient3d, in_circle, in_sphere) | `i64` and `i128` |
 //! | one limb | b <= 62 | minors in 2 limbs, cofactors in 3, heights in 2, up to 5 |
 //! | two limbs, four limbs | b <= 126, b <= 254 | the same formulas, 2 and 4 times as wide |
+//! | leading terms | any | no differences: doubles scaled by powers of two, with a bound ([`leading`]) |
 //! | long sums | any | no differences: sums of monomials ([`long`]) |
 //!
 //! **Head-room.** Let every difference be at most 2^b in magnitude. (Two's complement makes the bound non-strict: `-2^b`
@@ -32,8 +33,9 @@
 
 pub(crate) mod align;
 mod any;
-mod formulas;
+pub(crate) mod formulas;
 mod general;
+mod leading;
 mod long;
 
 use crate::int::Int;

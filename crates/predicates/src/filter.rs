@@ -229,15 +229,19 @@ pub(crate) fn in_circle_of_space(points: [&[f64; 3]; 4]) -> Certain {
 
 #[inline(always)]
 pub(crate) fn in_sphere(points: [&[f64; 3]; 5], bound: f64) -> Certain {
-    certain(value::in_sphere(points), bound, || {
-        let ([p, q, r, s], z, h) = value::in_sphere_rows(points);
-        let [pz, qz, rz, sz] = z.map(f64::abs);
-        let (pq, qr, rs) = (minor_magnitude(p, q), minor_magnitude(q, r), minor_magnitude(r, s));
-        let (sp, pr, qs) = (minor_magnitude(s, p), minor_magnitude(p, r), minor_magnitude(q, s));
-        let pqr = pz * qr + qz * pr + rz * pq + GUARD;
-        let qrs = qz * rs + rz * qs + sz * qr + GUARD;
-        let rsp = rz * sp + sz * pr + pz * rs + GUARD;
-        let spq = sz * pq + pz * qs + qz * sp + GUARD;
-        IN_SPHERE * in_sphere_permanent(h.map(|h| h + GUARD), [qrs, rsp, spq, pqr])
-    })
+    certain(value::in_sphere(points), bound, || in_sphere_bound(points))
+}
+
+/// The error bound of a call.
+#[inline(always)]
+pub(crate) fn in_sphere_bound(points: [&[f64; 3]; 5]) -> f64 {
+    let ([p, q, r, s], z, h) = value::in_sphere_rows(points);
+    let [pz, qz, rz, sz] = z.map(f64::abs);
+    let (pq, qr, rs) = (minor_magnitude(p, q), minor_magnitude(q, r), minor_magnitude(r, s));
+    let (sp, pr, qs) = (minor_magnitude(s, p), minor_magnitude(p, r), minor_magnitude(q, s));
+    let pqr = pz * qr + qz * pr + rz * pq + GUARD;
+    let qrs = qz * rs + rz * qs + sz * qr + GUARD;
+    let rsp = rz * sp + sz * pr + pz * rs + GUARD;
+    let spq = sz * pq + pz * qs + qz * sp + GUARD;
+    IN_SPHERE * in_sphere_permanent(h.map(|h| h + GUARD), [qrs, rsp, spq, pqr])
 }

@@ -13,6 +13,12 @@ pub(crate) struct Int<const N: usize>([u64; N]);
 impl<const N: usize> Int<N> {
     pub(crate) const ZERO: Self = Self([0; N]);
 
+    pub(crate) const ONE: Self = {
+        let mut limbs = [0; N];
+        limbs[0] = 1;
+        Self(limbs)
+    };
+
     /// `mantissa * 2^shift`, negated if asked. Bits over the width are lost.
     #[inline]
     pub(crate) fn shifted(mantissa: u64, shift: usize, negative: bool) -> Self {
@@ -28,6 +34,18 @@ impl<const N: usize> Int<N> {
         if negative { Self::ZERO - value } else { value }
     }
 
+    /// `magnitude * 2^shift`, negated if asked. Bits over the width are lost.
+    #[inline]
+    pub(crate) fn from_limbs(magnitude: &[u64], shift: u64, negative: bool) -> Self {
+        let (place, bit) = (usize::try_from(shift / 64).unwrap_or(N).min(N), shift % 64);
+        let (mut limbs, mut below) = ([0; N], 0);
+        for (slot, &limb) in limbs[place..].iter_mut().zip(magnitude.iter().chain(&[0])) {
+            *slot = limb << bit | below;
+            below = limb >> 1 >> (63 - bit);
+        }
+        if negative { Self::ZERO - Self(limbs) } else { Self(limbs) }
+    }
+
     #[inline]
     pub(crate) fn sign(&self) -> Sign {
         if self.0[N - 1] >> 63 == 1 {
@@ -37,6 +55,15 @@ impl<const N: usize> Int<N> {
         } else {
             Sign::Positive
         }
+    }
+
+    /// The value, if it is at most 2^62 in magnitude.
+    #[inline]
+    pub(crate) fn short(&self) -> Option<i64> {
+        const LIMIT: u64 = 1 << 62;
+        let (low, mask) = (self.0[0].cast_signed(), self.mask());
+        let fits = self.0[1..].iter().all(|&limb| limb == mask) && (low < 0) == (mask != 0);
+        (fits && low.unsigned_abs() <= LIMIT).then_some(low)
     }
 
     /// All ones if negative, else zero.

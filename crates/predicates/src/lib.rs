@@ -58,7 +58,6 @@ mod int;
 mod kernel;
 mod metric;
 mod naive;
-mod narrow;
 pub mod perturb;
 mod projected;
 mod ring;

@@ -1,7 +1,8 @@
 //! Comparisons of lengths, angles and radii: what alpha shapes and mesh refinement ask besides.
 //!
-//! **Stages.** The formula in doubles that carry their error bounds ([`Approximate`]); where these do not decide, the same
-//! formula in integers of 16 limbs, and in dyadic numbers of any length ([`Dyadic`]) where these do not suffice.
+//! **Stages.** Lengths and radii of plain points: fixed widths, which decide alone if coordinates are short enough over one unit
+//! (`metric/words.rs`): quicker than a filter of the general formula. Else the formula in doubles that carry their error
+//! bounds ([`Approximate`]), and where these do not decide, in dyadic numbers of any length ([`Dyadic`]).
 //!
 //! **The radius.** With the edges v_i from the first vertex of a k-simplex, their Gram matrix G and heights h_i = |v_i|^2,
 //! the centre is at sum l_i v_i with 2 G l = h, and the squared radius is h^T adj(G) h / (4 det G): in any dimension, degree 2k + 2 over
@@ -21,7 +22,7 @@ use smallvec::SmallVec;
 
 use crate::adaptive::{Adaptive, Exact, point};
 use crate::dyadic::nearest_ratio;
-use crate::formula::{Call, Formula, exactly};
+use crate::formula::{Call, Formula, exactly, in_words};
 use crate::kernel::{Id, Kernel};
 use crate::ring::Homogeneous;
 use crate::{Approximate, Constructed, Dyadic, Weighted};
@@ -32,6 +33,7 @@ pub(crate) use formulas::Radii;
 mod formulas;
 #[cfg(test)]
 mod tests;
+mod words;
 
 /// A kernel that also compares lengths, angles and radii, exactly.
 ///
@@ -51,6 +53,12 @@ pub trait Metric<const D: usize>: Kernel<D> {
 
     /// The point of a vertex.
     fn exact_point<V: Id>(&self, v: V) -> Homogeneous<Dyadic, D>;
+
+    /// The point of a vertex, if its coordinates are doubles and the kernel may answer by a quicker way for these.
+    #[inline]
+    fn plain_point<V: Id>(&self, _v: V) -> Option<[f64; D]> {
+        None
+    }
 
     /// The weight of a vertex, in a kernel of weighted sites.
     #[inline]
@@ -107,8 +115,24 @@ pub trait Metric<const D: usize>: Kernel<D> {
     }
 }
 
-/// The answer: by doubles if they suffice.
+/// The answer: in words if the points are plain and short; else by doubles if they suffice, and exactly if not.
 fn decided<const D: usize, V: Id, K: Metric<D> + ?Sized, F: Formula<D>>(
+    kernel: &K,
+    formula: &F,
+    vertices: impl Iterator<Item = V> + Clone,
+    squares: impl Iterator<Item = f64> + Clone,
+) -> F::Answer {
+    if F::HAS_WORDS && squares.clone().next().is_none() {
+        let plain = vertices.clone().map(|v| kernel.plain_point(v));
+        if let Some(answer) = in_words(formula, plain) {
+            return answer;
+        }
+    }
+    in_general(kernel, formula, vertices, squares)
+}
+
+#[inline(never)]
+fn in_general<const D: usize, V: Id, K: Metric<D> + ?Sized, F: Formula<D>>(
     kernel: &K,
     formula: &F,
     vertices: impl Iterator<Item = V> + Clone,
@@ -142,7 +166,7 @@ fn exact_radius<const D: usize, V: Id, K: Metric<D> + ?Sized>(
 
 /// For kernels over plain points.
 macro_rules! plain {
-    ($kernel:ident, $near:expr) => {
+    ($kernel:ident, $near:expr, $plain:expr) => {
         impl<const D: usize, P: AsRef<[[f64; D]]>> Metric<D> for $kernel<P> {
             fn approximate_point<V: Id>(&self, v: V) -> Homogeneous<Approximate, D> {
                 Homogeneous::plain(point(self.points(), v).map($near))
@@ -151,12 +175,17 @@ macro_rules! plain {
             fn exact_point<V: Id>(&self, v: V) -> Homogeneous<Dyadic, D> {
                 Homogeneous::plain(point(self.points(), v).map(Dyadic::from))
             }
+
+            #[inline]
+            fn plain_point<V: Id>(&self, v: V) -> Option<[f64; D]> {
+                $plain.then(|| *point(self.points(), v))
+            }
         }
     };
 }
 
-plain!(Adaptive, Approximate::exact);
-plain!(Exact, Approximate::unknown); // no filter
+plain!(Adaptive, Approximate::exact, true);
+plain!(Exact, Approximate::unknown, false); // no filter, no quicker way
 
 impl<const D: usize, P: AsRef<[[f64; D]]>, W: AsRef<[f64]>> Metric<D> for Weighted<P, W> {
     fn approximate_point<V: Id>(&self, v: V) -> Homogeneous<Approximate, D> {
@@ -179,5 +208,10 @@ impl<const D: usize> Metric<D> for Constructed<D> {
 
     fn exact_point<V: Id>(&self, v: V) -> Homogeneous<Dyadic, D> {
         self.exact_at(v.index())
+    }
+
+    #[inline]
+    fn plain_point<V: Id>(&self, v: V) -> Option<[f64; D]> {
+        self.plain_at(v.index())
     }
 }

@@ -16,8 +16,12 @@ pub enum Stage {
     TwoLimbs,
     /// Exact integers, differences of four limbs.
     FourLimbs,
+    /// Doubles without differences, scaled, for exponents that lie far apart.
+    LeadingTerms,
     /// Sums of monomials, for exponents that lie far apart.
     LongSum,
+    /// Exact integers of fixed widths, of constructed points.
+    FixedWidth,
     /// Exact numbers of any length, of constructed points.
     Dyadic,
     /// Plain doubles, right or wrong.
@@ -28,14 +32,16 @@ pub enum Stage {
 
 impl Stage {
     /// All stages, in order.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 12] = [
         Self::StaticFilter,
         Self::DynamicFilter,
         Self::MachineWords,
         Self::OneLimb,
         Self::TwoLimbs,
         Self::FourLimbs,
+        Self::LeadingTerms,
         Self::LongSum,
+        Self::FixedWidth,
         Self::Dyadic,
         Self::Unfiltered,
         Self::Untold,

@@ -24,7 +24,7 @@
 
 use delone_predicates::{Constructed, Construction, Kernel};
 
-use crate::{Pslg, PslgError, Sites};
+use crate::{Chains, Pslg, PslgError, Sites};
 
 /// Segments cut wherever they meet, exactly. See the module's text.
 ///
@@ -35,7 +35,7 @@ use crate::{Pslg, PslgError, Sites};
 /// let crossed = Arrangement::new(&square, &[[0, 2], [1, 3]]).unwrap();
 /// assert_eq!(crossed.kernel().position(4), [1.5, 0.5]);
 /// assert_eq!(crossed.subsegments(), [[0, 4], [1, 4], [2, 4], [3, 4]]);
-/// assert_eq!(crossed.chains(), [[0, 2], [1, 3]]);
+/// assert_eq!([0, 1].map(|segment| crossed.chains().of(segment)), [[0, 2], [1, 3]]);
 /// ```
 #[derive(Clone, Debug)]
 pub struct Arrangement {
@@ -44,7 +44,7 @@ pub struct Arrangement {
     sorted: Vec<u32>,
     segments: Vec<[u32; 2]>,
     subsegments: Vec<[u32; 2]>,
-    chains: Vec<Vec<u32>>,
+    chains: Chains,
     dropped: Vec<u32>,
     pairs: usize,
     crossings: Vec<[u32; 4]>,
@@ -112,7 +112,7 @@ impl Arrangement {
 
     /// For each input segment its subsegments from its first end to its second.
     #[must_use]
-    pub fn chains(&self) -> &[Vec<u32>] {
+    pub fn chains(&self) -> &Chains {
         &self.chains
     }
 
@@ -185,12 +185,12 @@ fn cut(pslg: &Pslg, on_piece: Vec<Vec<u32>>, ranks: &[u32]) -> (Vec<[u32; 2]>, V
 }
 
 /// The chains of input segments over the parts.
-fn chains(pslg: &Pslg, parts: &[Vec<[u32; 2]>], subsegments: &[[u32; 2]]) -> Vec<Vec<u32>> {
+fn chains(pslg: &Pslg, parts: &[Vec<[u32; 2]>], subsegments: &[[u32; 2]]) -> Chains {
     let number = |part: &[u32; 2]| {
         let place = subsegments.binary_search(part).expect("a part is a subsegment");
         u32::try_from(place).expect("subsegments are fewer than ids")
     };
-    let chain = |(chain, &[first, _]): (&Vec<u32>, &[u32; 2])| {
+    let chain = |(chain, &[first, _]): (&[u32], &[u32; 2])| {
         let mut at = first;
         let mut numbers = Vec::new();
         for &piece in chain {

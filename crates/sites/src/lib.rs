@@ -31,6 +31,7 @@
 
 mod arrangement;
 mod boxes;
+mod chains;
 mod noded;
 mod order;
 mod pslg;
@@ -40,11 +41,12 @@ mod sweep;
 mod weighted;
 
 pub use arrangement::Arrangement;
+pub use chains::Chains;
 pub use noded::Noded;
 pub use order::{Curve, scatter, sortable};
-pub use pslg::{Coverage, Crossing, Pslg, PslgError, PslgFault};
+pub use pslg::{Coverage, Crossing, Piece, Pslg, PslgError, PslgFault, Unnoded};
 pub use sites::{NotFinite, Sites, SitesError};
-pub use sweep::{Ends, below_and_above, compare_along};
+pub use sweep::{Ends, Swept, compare_along, sweep};
 pub use weighted::{WeightedSites, WeightsError};
 
 #[cfg(test)]

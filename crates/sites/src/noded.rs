@@ -2,7 +2,7 @@
 
 use delone_predicates::Constructed;
 
-use crate::{Arrangement, Coverage, Pslg, Sites};
+use crate::{Arrangement, Chains, Coverage, Pslg, Sites};
 
 /// A noded graph: vertices, segments, and the subsegments that these are cut into.
 pub trait Noded {
@@ -19,7 +19,7 @@ pub trait Noded {
     fn subsegments(&self) -> &[[u32; 2]];
 
     /// For each input segment its subsegments from its first end to its second.
-    fn chains(&self) -> &[Vec<u32>];
+    fn chains(&self) -> &Chains;
 
     /// The double nearest to each vertex: for sites, the vertex itself.
     fn positions(&self) -> &[[f64; 2]];
@@ -52,7 +52,9 @@ pub trait Noded {
     /// [`Noded::coverage`] by the input segments that are `counted`, by index.
     fn coverage_where(&self, counted: impl Fn(u32) -> bool) -> Vec<Coverage> {
         let mut coverage = vec![Coverage::default(); self.subsegments().len()];
-        for ((segment, chain), &[first, _]) in (0u32..).zip(self.chains()).zip(self.segments()) {
+        for ((segment, chain), &[first, _]) in
+            (0u32..).zip(self.chains().iter()).zip(self.segments())
+        {
             let mut at = first;
             for &piece in chain.iter().filter(|_| counted(segment)) {
                 let [low, high] = self.subsegments()[piece as usize];
@@ -80,7 +82,7 @@ macro_rules! noded {
             <$graph>::subsegments(self)
         }
 
-        fn chains(&self) -> &[Vec<u32>] {
+        fn chains(&self) -> &Chains {
             <$graph>::chains(self)
         }
     };

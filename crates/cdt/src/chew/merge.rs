@@ -109,33 +109,82 @@ impl<K: PlaneKernel, P: Probe> Chew<'_, '_, K, P> {
     /// All segments that cross the wall and that a side knows, from bottom to top, each once.
     fn find_wall(&mut self, left: usize, right: usize) {
         self.wall.clear();
-        let mut on_left = crossing(&self.lists, &self.regions[left..right], Wall::Right).peekable();
-        let mut on_right = crossing(&self.lists, &self.regions[right..], Wall::Left).peekable();
+        let (lists, regions) = (&self.lists, &self.regions);
+        let mut on_left = Known::new(&regions[left..right], Wall::Right);
+        let mut on_right = Known::new(&regions[right..], Wall::Left);
+        let (mut e, mut f) = (on_left.next(lists), on_right.next(lists));
         loop {
-            let next = match (on_left.peek(), on_right.peek()) {
-                (Some(&e), Some(&f)) => match compare_along(self.kernel, self.segments, e, f) {
-                    Ordering::Greater => on_right.next(),
-                    Ordering::Less | Ordering::Equal => on_left.next(),
-                },
-                (Some(_), None) => on_left.next(),
-                (None, _) => on_right.next(),
+            let order = match (e, f) {
+                (Some(e), Some(f)) => compare_along(self.kernel, self.segments, e, f),
+                (Some(_), None) => Ordering::Less,
+                (None, Some(_)) => Ordering::Greater,
+                (None, None) => return,
             };
-            let Some(segment) = next else { return };
-            if self.wall.last() != Some(&segment) {
-                self.wall.push(segment);
+            self.wall.extend(if order == Ordering::Greater { f } else { e });
+            if order != Ordering::Greater {
+                e = on_left.next(lists);
+            }
+            if order != Ordering::Less {
+                f = on_right.next(lists);
             }
         }
     }
 }
 
-/// The segments that these regions know at a wall, from bottom to top.
-fn crossing<'a>(
-    lists: &'a Lists,
-    regions: &'a [Region],
+/// The segments that some regions know at a wall, from bottom to top, each once.
+struct Known<'r> {
+    /// The region at hand and those above.
+    regions: &'r [Region],
     wall: Wall,
-) -> impl Iterator<Item = u32> + 'a {
-    regions.iter().flat_map(move |region| {
-        let list = if wall == Wall::Right { region.right } else { region.left };
-        region.low.into_iter().chain(lists.iter(list, wall)).chain(region.high)
-    })
+    /// The place in the region's list.
+    list: Option<u32>,
+    last: Option<u32>,
+    step: Step,
+}
+
+/// What comes next of a region.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Step {
+    Low,
+    List,
+    High,
+}
+
+impl<'r> Known<'r> {
+    const fn new(regions: &'r [Region], wall: Wall) -> Self {
+        Self { regions, wall, list: None, last: None, step: Step::Low }
+    }
+
+    fn next(&mut self, lists: &Lists) -> Option<u32> {
+        loop {
+            let region = self.regions.first()?;
+            let known = match self.step {
+                Step::Low => {
+                    self.step = Step::List;
+                    self.list =
+                        if self.wall == Wall::Right { region.right } else { region.left }.first();
+                    region.low.filter(|_| region.low != self.last)
+                }
+                Step::List => match self.list {
+                    Some(segment) => {
+                        self.list = lists.after(segment, self.wall);
+                        Some(segment)
+                    }
+                    None => {
+                        self.step = Step::High;
+                        None
+                    }
+                },
+                Step::High => {
+                    self.step = Step::Low;
+                    self.regions = &self.regions[1..];
+                    region.high
+                }
+            };
+            if known.is_some() {
+                self.last = known;
+                return known;
+            }
+        }
+    }
 }

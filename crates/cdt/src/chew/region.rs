@@ -19,6 +19,10 @@ pub(super) struct List {
 
 impl List {
     pub(super) const EMPTY: Self = Self { first: NONE, last: NONE };
+
+    pub(super) fn first(self) -> Option<u32> {
+        some(self.first)
+    }
 }
 
 /// For each segment the next one in the list that it is in. It is in one for each wall at most: the left wall's list of
@@ -48,12 +52,14 @@ impl Lists {
         }
     }
 
-    pub(super) fn iter(&self, list: List, wall: Wall) -> impl Iterator<Item = u32> + '_ {
-        let some = |segment: u32| (segment != NONE).then_some(segment);
-        std::iter::successors(some(list.first), move |&segment| {
-            some(self.next[segment as usize][wall as usize])
-        })
+    /// The next segment of the list that `segment` is in.
+    pub(super) fn after(&self, segment: u32, wall: Wall) -> Option<u32> {
+        some(self.next[segment as usize][wall as usize])
     }
+}
+
+fn some(segment: u32) -> Option<u32> {
+    (segment != NONE).then_some(segment)
 }
 
 /// A region of a slab.

@@ -3,10 +3,7 @@
 //! Half-edge `h` and its other half `h ^ 1` lie side by side; segment `e` is the halves `2 e` (from its first end) and
 //! `2 e + 1`, and its halves are never removed. The face on the left of `h` goes on with `around(h)`.
 
-use std::cmp::Ordering;
-
-use delone_predicates::{PlaneKernel, Sign};
-use delone_sites::Ends;
+use delone_sites::Swept;
 
 /// A half-edge, by index.
 pub(super) type Half = u32;
@@ -36,39 +33,34 @@ pub(crate) struct Rings {
 
 impl Rings {
     /// The rings that hold both halves of each segment.
-    pub(super) fn new(kernel: &impl PlaneKernel, sites: usize, segments: &[Ends]) -> Self {
+    pub(super) fn new(swept: &Swept) -> Self {
+        let (segments, sites) = (&swept.pieces, swept.neighbours.len());
         let count = u32::try_from(segments.len()).expect("a planar graph's edges have 32-bit ids");
         // A triangulation has fewer than three edges for each site.
         let mut halves = Vec::with_capacity(6 * sites);
         halves.extend(segments.as_flattened().iter().map(|&origin| Record { origin, ..EMPTY }));
         let mut rings =
             Self { halves, start: vec![NONE; sites], free: Vec::new(), segments: count };
-        let mut sorted: Vec<Half> = (0..2 * count).collect();
-        sorted.sort_unstable_by(|&g, &h| {
-            let (u, v) = (rings.origin(g), rings.origin(h));
-            u.cmp(&v).then_with(|| rings.by_angle(kernel, g, h))
-        });
-        let site = |h: Half| segments[h as usize / 2][h as usize % 2];
-        for ring in sorted.chunk_by(|&g, &h| site(g) == site(h)) {
-            rings.start[site(ring[0]) as usize] = ring[0];
-            for (&h, &g) in ring.iter().zip(ring.iter().cycle().skip(1)) {
-                rings.link(h, g);
+        // Counter-clockwise from straight down: to later sites from bottom to top, to earlier ones from top to bottom.
+        let mut later = segments.as_slice();
+        let mut earlier = swept.by_larger_end.as_slice();
+        let mut ring: Vec<Half> = Vec::new();
+        let mut begun = 0u32;
+        for site in (0u32..).take(sites) {
+            let right = later.iter().take_while(|ends| ends[0] == site).count();
+            let left = earlier.iter().take_while(|&&e| segments[e as usize][1] == site).count();
+            ring.clear();
+            ring.extend((begun..).take(right).map(|e| 2 * e));
+            ring.extend(earlier[..left].iter().rev().map(|e| 2 * e + 1));
+            begun += u32::try_from(right).expect("a segment's id");
+            (later, earlier) = (&later[right..], &earlier[left..]);
+            if let [first, .., last] | [first @ last] = ring[..] {
+                rings.start[site as usize] = first;
+                rings.link(last, first);
+                ring.windows(2).for_each(|pair| rings.link(pair[0], pair[1]));
             }
         }
         rings
-    }
-
-    /// The order of two half-edges of one site by angle: those to later sites first, counter-clockwise.
-    fn by_angle(&self, kernel: &impl PlaneKernel, g: Half, h: Half) -> Ordering {
-        let v = self.origin(g);
-        let (to_g, to_h) = (self.destination(g), self.destination(h));
-        (to_g < v).cmp(&(to_h < v)).then_with(|| {
-            match kernel.orient(&[v as usize, to_g as usize, to_h as usize]) {
-                Sign::Positive => Ordering::Less,
-                Sign::Zero => Ordering::Equal,
-                Sign::Negative => Ordering::Greater,
-            }
-        })
     }
 
     #[inline]
@@ -102,9 +94,9 @@ impl Rings {
         h / 2 < self.segments
     }
 
-    /// Some half-edge that leaves `v`.
+    /// Some half-edge that leaves `v`, if it is a site and has one.
     pub(super) fn start(&self, v: u32) -> Option<Half> {
-        Some(self.start[v as usize]).filter(|&h| h != NONE)
+        self.start.get(v as usize).copied().filter(|&h| h != NONE)
     }
 
     /// The half-edges that leave `v`, counter-clockwise, from its start.

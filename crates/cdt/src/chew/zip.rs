@@ -36,6 +36,7 @@ impl Window {
     }
 
     /// Whether the slab on this hand holds the site.
+    #[inline]
     fn holds(&self, hand: Hand, v: u32) -> bool {
         let [i, m, j] = self.slab;
         match hand {
@@ -132,6 +133,7 @@ impl<K: PlaneKernel, P: Probe> Chew<'_, '_, K, P> {
 
     /// The edge from base's end on this hand to the candidate there, after opening what the circle of base and candidate
     /// opens.
+    #[inline(always)] // twice, once for each hand
     fn candidate(&mut self, window: Window, base: Half, hand: Hand) -> Option<Half> {
         let (l, r) = (self.rings.origin(base), self.rings.destination(base));
         let (own, other_end) = if hand == Hand::Left { (base, r) } else { (base ^ 1, l) };
@@ -147,7 +149,11 @@ impl<K: PlaneKernel, P: Probe> Chew<'_, '_, K, P> {
                 break;
             }
             let (first, second) = if hand == Hand::Left { (e, behind) } else { (behind, e) };
-            if !self.is_triangle(first, second) || !self.is_inside([l, r, c], apex) {
+            // Cheapest first; most apexes are not inside.
+            if !self.is_closed(first, second)
+                || !self.is_inside([l, r, c], apex)
+                || !self.turns_left(first, second)
+            {
                 break;
             }
             self.rings.remove(e);
@@ -157,6 +163,7 @@ impl<K: PlaneKernel, P: Probe> Chew<'_, '_, K, P> {
     }
 
     /// The next edge of the ring, upwards from the base: counter-clockwise on the left, clockwise on the right.
+    #[inline]
     fn beside(&self, h: Half, hand: Hand) -> Half {
         match hand {
             Hand::Left => self.rings.next(h),
@@ -164,14 +171,19 @@ impl<K: PlaneKernel, P: Probe> Chew<'_, '_, K, P> {
         }
     }
 
-    /// Whether the face between `e` and the next of its ring, `f`, is a triangle and no gap.
-    fn is_triangle(&mut self, e: Half, f: Half) -> bool {
+    /// Whether the face between `e` and the next of its ring, `f`, has three sides. It is a triangle, and no gap, if it also
+    /// turns left.
+    #[inline]
+    fn is_closed(&self, e: Half, f: Half) -> bool {
+        let third = self.rings.around(e);
+        self.rings.destination(third) == self.rings.destination(f)
+            && self.rings.around(third) == f ^ 1
+    }
+
+    fn turns_left(&mut self, e: Half, f: Half) -> bool {
         let (v, c, d) =
             (self.rings.origin(e), self.rings.destination(e), self.rings.destination(f));
-        let third = self.rings.around(e);
-        self.rings.destination(third) == d
-            && self.rings.around(third) == f ^ 1
-            && self.orient(v, c, d) == Sign::Positive
+        self.orient(v, c, d) == Sign::Positive
     }
 
     /// The site of the gap's chain that is nearest to the wall.

@@ -216,7 +216,7 @@ fn segments_come_and_go() {
                 let all: Vec<[usize; 2]> =
                     present.iter().chain([&ends]).map(|s| s.map(|v| v as usize)).collect();
                 let fits = Pslg::new(&points, &all)
-                    .is_ok_and(|pslg| pslg.chains().last().unwrap().len() == 1);
+                    .is_ok_and(|pslg| pslg.chains().iter().last().unwrap().len() == 1);
                 assert_eq!(dynamic.insert_segment(ends, &mut ()).is_ok(), fits);
                 blocked += usize::from(!fits);
                 put += usize::from(fits);

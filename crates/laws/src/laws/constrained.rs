@@ -1,7 +1,10 @@
 //! The laws of constrained Delaunay triangulations.
 
 use delone::Pslg;
-use delone::cdt::{Algorithm, Cdt, Domain, Dynamic, Fill, FillError, algorithms, cavity};
+use delone::cdt::{
+    Algorithm, Cdt, Domain, Dynamic, Fill, FillError, algorithms, cavity, chew_from_points,
+    from_points,
+};
 use delone::check::{Complex, FillRule, judge_fill, naive};
 use delone::delaunay::{Options, delaunay};
 use delone::predicates::Adaptive;
@@ -19,6 +22,7 @@ pub fn constrained_laws() -> Vec<Law<2>> {
     vec![
         Law { name: "valid", hold: valid },
         Law { name: "agreement", hold: agreement },
+        Law { name: "noded on the way", hold: noded_on_the_way },
         Law { name: "order", hold: order },
         Law { name: "scaling", hold: |case| same_cells(case, scalings(case)) },
         Law { name: "translation", hold: |case| same_cells(case, translations(case)) },
@@ -64,6 +68,21 @@ fn agreement(case: &Case<2>) -> usize {
         }
     }
     algorithms.len() * options.len()
+}
+
+fn noded_on_the_way(case: &Case<2>) -> usize {
+    let segments: Vec<[usize; 2]> =
+        case.segments.iter().map(|ends| ends.map(|id| id as usize)).collect();
+    let first = run(case);
+    let ways = [from_points, chew_from_points];
+    for way in ways {
+        let (pslg, result) = way(&case.points, &segments, &mut ())
+            .unwrap_or_else(|error| panic!("{}: {error}", case.name));
+        assert_eq!(pslg, case.pslg(), "{}", case.name);
+        assert_eq!(result.canonical(), first.canonical(), "{}", case.name);
+        assert_eq!(result.constrained_edges(), first.constrained_edges(), "{}", case.name);
+    }
+    ways.len()
 }
 
 fn order(case: &Case<2>) -> usize {

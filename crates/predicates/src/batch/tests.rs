@@ -1,10 +1,10 @@
 use super::*;
 
-/// Coordinates on which filters are sure, unsure, and out of range; 19 points, which is no multiple of a vector.
+/// Coordinates on which filters are sure, unsure, and out of range; 147 points, which is no multiple of a vector nor of a piece.
 fn columns(seed: u64) -> Vec<f64> {
     let values = [0.0, -0.0, 1.0, 1.5, -2.0, 3.0, 0.1, 5e-324, f64::MAX, -f64::MAX, 1e160, 1e-163];
     let mut state = seed;
-    (0..19)
+    (0..147)
         .map(|_| {
             state = state
                 .wrapping_mul(6_364_136_223_846_793_005)
@@ -35,7 +35,7 @@ fn a_batch_is_its_scalars_in_the_plane() {
         let [p, q, r, s] = [0, 2, 4, 6].map(|i| [&columns[i][..], &columns[i + 1][..]]);
         let at = |p: [&[f64]; 2], i: usize| p.map(|column| column[i]);
         let [a, b, c] = [p, q, r].map(|p| at(p, 0));
-        let mut signs = [7; 19];
+        let mut signs = [7; 147];
         let count = orient2d(a, b, s, &mut signs);
         sure += checked(&signs, count, |i| filter::orient2d(&a, &b, &at(s, i), inf));
         let count = orient2d_of(p, q, c, &mut signs);
@@ -61,7 +61,7 @@ fn a_batch_is_its_scalars_in_space() {
             [0, 3, 6, 9, 12].map(|i| [0, 1, 2].map(|axis| &columns[i + axis][..]));
         let at = |p: [&[f64]; 3], i: usize| p.map(|column| column[i]);
         let [a, b, c, d] = [p, q, r, t].map(|p| at(p, 0));
-        let mut signs = [7; 19];
+        let mut signs = [7; 147];
         let count = orient3d(a, b, c, s, &mut signs);
         sure += checked(&signs, count, |i| filter::orient3d([&a, &b, &c, &at(s, i)], inf));
         let count = orient3d_of(p, q, r, d, &mut signs);

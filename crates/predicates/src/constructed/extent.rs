@@ -22,17 +22,25 @@ impl<const D: usize> Extent<D> {
         before != (self.low, self.high)
     }
 
-    /// For the points as plain ones, and for points whose nearest doubles these are (see the module above).
-    pub(super) fn bounds(&self) -> [Bounds; 2] {
-        if self.low.iter().zip(&self.high).any(|(low, high)| low > high) {
-            return [Bounds::NONE; 2];
+    /// For the points as plain ones.
+    pub(super) fn bounds(&self) -> Bounds {
+        if self.is_empty() { Bounds::NONE } else { Bounds::of(&[self.low, self.high]) }
+    }
+
+    /// For points whose nearest doubles these are (see the module above).
+    pub(super) fn wide_bounds(&self) -> Bounds {
+        if self.is_empty() {
+            return Bounds::NONE;
         }
         let magnitude: [f64; D] = std::array::from_fn(|axis| {
             let (low, high) = (self.low[axis], self.high[axis]);
             (high - low) + 2.0 * low.abs().max(high.abs()) + 4.0 * f64::MIN_POSITIVE
         });
         let Bounds { orient, lifted } = Bounds::of(&[[0.0; D], magnitude]);
-        let wide = Bounds { orient: 2.0 * orient, lifted: 2.0 * lifted };
-        [Bounds::of(&[self.low, self.high]), wide]
+        Bounds { orient: 2.0 * orient, lifted: 2.0 * lifted }
+    }
+
+    fn is_empty(&self) -> bool {
+        self.low.iter().zip(&self.high).any(|(low, high)| low > high)
     }
 }

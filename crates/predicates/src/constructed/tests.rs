@@ -70,7 +70,7 @@ fn a_constructed_point_may_equal_a_plain_one() {
     assert!(!kernel.is_exact_position(6 + 1));
     assert_eq!(kernel.compare_lexicographic(first, second), Ordering::Equal);
     assert_eq!(kernel.orient(&[first, second, 0]), Sign::Zero);
-    assert_eq!(kernel.orient_staged(&[0, 5, first]), (Sign::Zero, Stage::Dyadic));
+    assert_eq!(kernel.orient_staged(&[0, 5, first]), (Sign::Zero, Stage::FixedWidth));
 }
 
 #[test]
@@ -126,7 +126,7 @@ fn a_reordered_kernel_has_the_same_vertices() {
     let order = [crossed, 2, 0, 1, 3];
     let mut reordered = kernel.reordered(&order);
     assert_eq!(reordered.exact(0), kernel.exact(crossed));
-    assert_eq!(reordered.orient_staged(&[0usize, 2, 3]), (Sign::Zero, Stage::Dyadic));
+    assert_eq!(reordered.orient_staged(&[0usize, 2, 3]), (Sign::Zero, Stage::FixedWidth));
     // One can go on there, in its numbers.
     assert_eq!(reordered.push(&crossing(2, 3, 1, 4)), Ok(5));
     assert_eq!(reordered.exact(5), reordered.exact(0));

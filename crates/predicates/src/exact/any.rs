@@ -44,7 +44,7 @@ pub(crate) fn wide_determinant<const D: usize, const R: usize>(
     const N: usize = 37; // 9 * 254 + 16 + 5 = 2307 bits
     let n = if heights.is_empty() { k } else { k + 1 };
     let mut minors = [Int::<N>::ZERO; 256];
-    minors[0] = Int::<1>::from(1i64).extended();
+    minors[0] = Int::ONE;
     let product = |row: usize, column: usize, minor: &Int<N>| {
         if column < k {
             minor.wrapping_times(&rows[row][column].extended())
@@ -62,7 +62,7 @@ fn minors<const N: usize, const M: usize>(
     heights: &[Int<2>],
 ) -> Sign {
     let mut minors = [Int::<N>::ZERO; M];
-    minors[0] = Int::<1>::from(1i64).extended();
+    minors[0] = Int::ONE;
     let product = |row: usize, column: usize, minor: &Int<N>| {
         if column < k {
             minor.scaled(entry(row, column))

@@ -6,7 +6,7 @@ use crate::int::Int;
 
 /// `a d - b c`.
 #[inline(always)]
-fn minor<const L: usize, const L2: usize>(
+pub(crate) fn minor<const L: usize, const L2: usize>(
     a: &Int<L>,
     b: &Int<L>,
     c: &Int<L>,

@@ -4,7 +4,7 @@
 //! exponent, and count for the width with half their exponents.
 
 use super::align::{aligned, span};
-use super::{AXES_MAX, Answer, any, formulas, long};
+use super::{AXES_MAX, Answer, any, formulas, leading, long};
 use crate::int::Int;
 use crate::{Sign, Stage};
 
@@ -52,7 +52,10 @@ pub(crate) fn orient(points: &[&[f64]], axes: &[usize]) -> Answer {
         return (Sign::Zero, Stage::MachineWords);
     };
     let Some(limbs) = limbs_for(width) else {
-        return (long::orient(points, axes), Stage::LongSum);
+        return match leading::orient(points, axes) {
+            Some(sign) => (sign, Stage::LeadingTerms),
+            None => (long::orient(points, axes), Stage::LongSum),
+        };
     };
     let sign = Determinant { points, axes, weights: None, low }.orient_in(limbs);
     (sign.times_minus_one_to(k), stage_of(limbs)) // the reference is the last point, not the first
@@ -90,7 +93,10 @@ pub(crate) fn lifted(points: &[&[f64]], axes: &[usize], weights: Option<&[f64]>)
         return (Sign::Zero, Stage::MachineWords);
     };
     let Some(limbs) = limbs_for(width) else {
-        return (-long::lifted(points, axes, weights), Stage::LongSum);
+        return match leading::lifted(points, axes, weights) {
+            Some(sign) => (-sign, Stage::LeadingTerms),
+            None => (-long::lifted(points, axes, weights), Stage::LongSum),
+        };
     };
     let sign = Determinant { points, axes, weights, low }.lifted_in(limbs);
     (sign.times_minus_one_to(k), stage_of(limbs))

@@ -6,7 +6,8 @@
 //! no carry runs through the whole length. What is left is a comparison of two numbers.
 //!
 //! **Cost.** (k+1)! monomials for an orientation in k axes, (k+2)! D for a lifted determinant. The widest sum, lifted in
-//! 7 axes, has degree 9: 9 * 2,098 bits, and 22 bits for its 9! * 8 terms: 296 limbs.
+//! 7 axes, has degree 9: 9 * 2,098 bits, and 22 bits for its 9! * 8 terms: 296 limbs. In up to three axes numbers are cut to
+//! the degree at hand: most of the time would go into clearing and comparing limbs that are not there.
 //!
 //! **In.** Rows of at most [`AXES_MAX`] coordinates. The recursion is as deep as a row is long.
 
@@ -16,53 +17,59 @@ use super::align::odd;
 use super::{AXES_MAX, POINTS_MAX};
 use crate::Sign;
 
-const LIMBS: usize = 300;
-
 /// Exponents of a product of `degree` doubles start here.
 fn exponent_min(degree: usize) -> i32 {
     -1074 * i32::try_from(degree).expect("degrees are small")
 }
 
-/// Sums of monomials of one degree.
-struct Sum {
-    positive: [u64; LIMBS],
-    negative: [u64; LIMBS],
-    low: i32,
+/// A double taken apart; the mantissa is odd, or zero.
+#[derive(Clone, Copy)]
+struct Factor {
+    mantissa: u64,
+    exponent: i32,
+    negative: bool,
 }
 
-/// `mantissa * 2^exponent`, the mantissa of at most `POINTS_MAX` limbs.
+impl Factor {
+    fn of(value: f64) -> Self {
+        let (mantissa, exponent) = odd(value);
+        Self { mantissa, exponent, negative: value.is_sign_negative() }
+    }
+}
+
+/// `mantissa * 2^exponent`, a product of at most L doubles.
 #[derive(Clone, Copy)]
-struct Product {
-    limbs: [u64; POINTS_MAX],
+struct Product<const L: usize> {
+    limbs: [u64; L],
     len: usize,
     exponent: i32,
     negative: bool,
 }
 
-impl Product {
+impl<const L: usize> Product<L> {
     const ONE: Self = {
-        let mut limbs = [0; POINTS_MAX];
+        let mut limbs = [0; L];
         limbs[0] = 1;
         Self { limbs, len: 1, exponent: 0, negative: false }
     };
 
     /// The product with a double, or nothing if that is zero.
-    fn times(&self, value: f64) -> Option<Self> {
-        let (mantissa, exponent) = odd(value);
-        if mantissa == 0 {
+    #[inline]
+    fn times(&self, factor: Factor) -> Option<Self> {
+        if factor.mantissa == 0 {
             return None;
         }
-        let mut limbs = [0; POINTS_MAX];
+        let mut limbs = [0; L];
         let (mut carry, mut len) = (0, self.len);
         for (slot, &a) in limbs.iter_mut().zip(&self.limbs[..len]) {
-            (*slot, carry) = a.carrying_mul_add(mantissa, 0, carry);
+            (*slot, carry) = a.carrying_mul_add(factor.mantissa, 0, carry);
         }
         if carry != 0 {
-            limbs[len] = carry; // 53 bits for each of at most POINTS_MAX factors
+            limbs[len] = carry; // 53 bits for each of at most L factors
             len += 1;
         }
-        let negative = self.negative != value.is_sign_negative();
-        Some(Self { limbs, len, exponent: self.exponent + exponent, negative })
+        let negative = self.negative != factor.negative;
+        Some(Self { limbs, len, exponent: self.exponent + factor.exponent, negative })
     }
 
     fn negated_if(mut self, negate: bool) -> Self {
@@ -71,12 +78,20 @@ impl Product {
     }
 }
 
-impl Sum {
+/// Sums of monomials of one degree, in N limbs.
+struct Sum<const N: usize> {
+    positive: [u64; N],
+    negative: [u64; N],
+    low: i32,
+}
+
+impl<const N: usize> Sum<N> {
     fn new(degree: usize) -> Self {
-        Self { positive: [0; LIMBS], negative: [0; LIMBS], low: exponent_min(degree) }
+        debug_assert!(N * 64 >= degree * 2098 + 64 + 22, "limbs for the degree");
+        Self { positive: [0; N], negative: [0; N], low: exponent_min(degree) }
     }
 
-    fn add(&mut self, product: &Product) {
+    fn add<const L: usize>(&mut self, product: &Product<L>) {
         let shift = product.exponent.abs_diff(self.low) as usize;
         let (mut place, bit) = (shift / 64, shift % 64);
         let sum = if product.negative { &mut self.negative } else { &mut self.positive };
@@ -102,21 +117,33 @@ impl Sum {
 /// The sign of `det[1 p_i]` on the given axes, rows in order: the orientation `det[p1 - p0; ..; pk - p0]`.
 #[inline(never)]
 pub(crate) fn orient(points: &[&[f64]], axes: &[usize]) -> Sign {
-    let mut sum = Sum::new(axes.len());
-    let mut left = Rows::all(points.len());
+    match axes.len() {
+        0..=2 => orient_in::<2, 2, 70>(points, axes),
+        3 => orient_in::<3, 3, 104>(points, axes),
+        _ => orient_in::<AXES_MAX, POINTS_MAX, 300>(points, axes),
+    }
+}
+
+fn orient_in<const K: usize, const L: usize, const N: usize>(
+    points: &[&[f64]],
+    axes: &[usize],
+) -> Sign {
+    let mut sum = Sum::<N>::new(axes.len());
+    let factors = factors::<K>(points, axes);
     // Columns from the last axis down; the row left over takes the column of ones, the first.
-    expand(points, axes, &mut left, Product::ONE, &mut |product| sum.add(&product));
+    expand(&factors, axes.len(), all(points), Product::<L>::ONE, &mut sum);
     sum.sign()
 }
 
 /// The sign of `(b - a) x (d - c)`.
 #[inline(never)]
 pub(crate) fn cross([a, b, c, d]: [[f64; 2]; 4]) -> Sign {
-    let mut sum = Sum::new(2);
+    let mut sum = Sum::<70>::new(2);
+    let [a, b, c, d] = [a, b, c, d].map(|p| p.map(Factor::of));
     for (p, p_negative) in [(b, false), (a, true)] {
         for (q, q_negative) in [(d, false), (c, true)] {
             for (axis, negative) in [(0, false), (1, true)] {
-                let product = Product::ONE.times(p[axis]).and_then(|x| x.times(q[1 - axis]));
+                let product = Product::<2>::ONE.times(p[axis]).and_then(|x| x.times(q[1 - axis]));
                 if let Some(product) = product {
                     sum.add(&product.negated_if(p_negative ^ q_negative ^ negative));
                 }
@@ -129,63 +156,80 @@ pub(crate) fn cross([a, b, c, d]: [[f64; 2]; 4]) -> Sign {
 /// The sign of `det[1 p_i h_i]` on the given axes, rows in order, `h_i = |p_i|^2 - weight_i` over all coordinates.
 #[inline(never)]
 pub(crate) fn lifted(points: &[&[f64]], axes: &[usize], weights: Option<&[f64]>) -> Sign {
-    let mut sum = Sum::new(axes.len() + 2);
+    match axes.len() {
+        0..=2 => lifted_in::<2, 4, 136>(points, axes, weights),
+        3 => lifted_in::<3, 5, 170>(points, axes, weights),
+        _ => lifted_in::<AXES_MAX, POINTS_MAX, 300>(points, axes, weights),
+    }
+}
+
+fn lifted_in<const K: usize, const L: usize, const N: usize>(
+    points: &[&[f64]],
+    axes: &[usize],
+    weights: Option<&[f64]>,
+) -> Sign {
+    let mut sum = Sum::<N>::new(axes.len() + 2);
+    let factors = factors::<K>(points, axes);
     for (row, point) in points.iter().enumerate() {
-        let mut left = Rows::all(points.len());
-        let odd = left.take_from_end(row);
-        let mut expand_under = |height: Product| {
-            let height = height.negated_if(odd);
-            expand(points, axes, &mut left, height, &mut |product| sum.add(&product));
+        let (left, odd) = without(all(points), row);
+        let mut expand_under = |height: Product<L>| {
+            expand(&factors, axes.len(), left, height.negated_if(odd), &mut sum);
         };
-        for &x in *point {
+        for x in point.iter().map(|&x| Factor::of(x)) {
             if let Some(square) = Product::ONE.times(x).and_then(|p| p.times(x)) {
                 expand_under(square);
             }
         }
-        if let Some(weight) = weights.and_then(|weights| Product::ONE.times(-weights[row])) {
+        let weight = weights.map(|weights| Factor::of(-weights[row]));
+        if let Some(weight) = weight.and_then(|weight| Product::ONE.times(weight)) {
             expand_under(weight);
         }
     }
     sum.sign()
 }
 
-/// Rows not yet used by a monomial, in order.
-#[derive(Clone, Copy)]
-struct Rows {
-    rows: [usize; POINTS_MAX],
-    len: usize,
+/// The coordinates on the axes, by rows.
+fn factors<const K: usize>(points: &[&[f64]], axes: &[usize]) -> [[Factor; K]; POINTS_MAX] {
+    let mut rows = [[Factor { mantissa: 0, exponent: 0, negative: false }; K]; POINTS_MAX];
+    for (row, point) in rows.iter_mut().zip(points) {
+        for (factor, &axis) in row.iter_mut().zip(axes) {
+            *factor = Factor::of(point[axis]);
+        }
+    }
+    rows
 }
 
-impl Rows {
-    fn all(len: usize) -> Self {
-        Self { rows: std::array::from_fn(|i| i), len }
-    }
+/// Rows not yet used by a monomial, as a bit set.
+type Rows = u32;
 
-    /// Takes out the row at `place`; whether the cofactor of that row and the last column is negative.
-    fn take_from_end(&mut self, place: usize) -> bool {
-        self.rows.copy_within(place + 1..self.len, place);
-        self.len -= 1;
-        (self.len - place) % 2 == 1
-    }
+fn all(points: &[&[f64]]) -> Rows {
+    (1 << points.len()) - 1
 }
 
-/// All monomials of the determinant of the rows left, with a column of ones before those of `axes`, times `product`.
-fn expand(
-    points: &[&[f64]],
-    axes: &[usize],
-    left: &mut Rows,
-    product: Product,
-    emit: &mut dyn FnMut(Product),
+/// Without one of the rows; and whether the cofactor of that row and the last column is negative.
+#[inline]
+fn without(rows: Rows, row: usize) -> (Rows, bool) {
+    (rows & !(1 << row), (rows >> row >> 1).count_ones() % 2 == 1)
+}
+
+/// Adds all monomials of the determinant of the rows left, with a column of ones before `columns` columns, times `product`.
+fn expand<const K: usize, const L: usize, const N: usize>(
+    factors: &[[Factor; K]; POINTS_MAX],
+    columns: usize,
+    left: Rows,
+    product: Product<L>,
+    sum: &mut Sum<N>,
 ) {
-    let Some((&axis, axes)) = axes.split_last() else {
-        emit(product);
+    let Some(column) = columns.checked_sub(1) else {
+        sum.add(&product);
         return;
     };
-    debug_assert!(axes.len() < AXES_MAX);
-    for place in 0..left.len {
-        let Some(product) = product.times(points[left.rows[place]][axis]) else { continue };
-        let mut rest = *left;
-        let odd = rest.take_from_end(place);
-        expand(points, axes, &mut rest, product.negated_if(odd), emit);
+    let mut rest = left;
+    while rest != 0 {
+        let row = rest.trailing_zeros() as usize;
+        rest &= rest - 1;
+        let Some(product) = product.times(factors[row][column]) else { continue };
+        let (left, odd) = without(left, row);
+        expand(factors, column, left, product.negated_if(odd), sum);
     }
 }

@@ -24,10 +24,11 @@ const ROWS: usize = AXES_MAX + 1;
 type Rows = [[f64; AXES_MAX]; ROWS];
 
 /// The sign of a determinant, from its value, its permanent and the roundings on its longest path.
-fn certain((value, permanent): (f64, f64), roundings: usize) -> Certain {
+#[inline]
+pub(crate) fn certain((value, permanent): (f64, f64), roundings: usize) -> Option<Sign> {
     let roundings = u8::try_from(roundings).expect("roundings are at most 60");
     let bound = (f64::from(roundings) + 1.0) * U * permanent;
-    (value.abs() > bound).then_some((Sign::of(value), Stage::DynamicFilter))
+    (value.abs() > bound).then(|| Sign::of(value))
 }
 
 /// Roundings on the longest path to a minor of `k` columns.
@@ -49,8 +50,8 @@ fn rows<const D: usize>(points: &[&[f64; D]], last: &[f64; D]) -> Rows {
 pub(crate) fn orient<const D: usize>(points: &[&[f64; D]]) -> Certain {
     let (last, points) = points.split_last()?;
     let rows = rows(points, last);
-    let (sign, stage) = certain(minors_of(D, &rows, None), roundings(D))?;
-    Some((sign.times_minus_one_to(D), stage))
+    let sign = certain(minors_of(D, &rows, None), roundings(D))?;
+    Some((sign.times_minus_one_to(D), Stage::DynamicFilter))
 }
 
 /// The lifted determinant of D+2 points of R^D, with their weights if they have any; signed as
@@ -65,8 +66,8 @@ pub(crate) fn lifted<const D: usize>(points: &[&[f64; D]], weights: Option<&[f64
         *height = (squares + weight, squares + weight.abs() + GUARD);
     }
     let roundings = roundings(D) + (D + 3) + 1 + D;
-    let (sign, stage) = certain(minors_of(D, &rows, Some(&heights)), roundings)?;
-    Some((sign.times_minus_one_to(D), stage))
+    let sign = certain(minors_of(D, &rows, Some(&heights)), roundings)?;
+    Some((sign.times_minus_one_to(D), Stage::DynamicFilter))
 }
 
 /// The orientation on some axes in plain doubles.
@@ -92,20 +93,23 @@ fn on_axes(rows: &Rows, axes: &[usize]) -> Rows {
 /// The determinant and the permanent of `k` columns, and a last column of heights if there is one.
 fn minors_of(k: usize, rows: &Rows, heights: Option<&[(f64, f64); ROWS]>) -> (f64, f64) {
     let n = k + usize::from(heights.is_some());
+    let entry = |row: usize, column: usize| match heights {
+        Some(heights) if column == k => heights[row],
+        _ => (rows[row][column], rows[row][column].abs()),
+    };
     match n {
-        0..=4 => minors::<16>(n, k, rows, heights),
-        5 => minors::<32>(n, k, rows, heights),
-        6 => minors::<64>(n, k, rows, heights),
-        _ => minors::<256>(n, k, rows, heights),
+        0..=4 => minors::<16>(n, entry),
+        5 => minors::<32>(n, entry),
+        6 => minors::<64>(n, entry),
+        _ => minors::<256>(n, entry),
     }
 }
 
+/// The determinant and the permanent of n rows and columns of values and magnitudes; M is at least 2^n.
 #[inline(always)]
-fn minors<const M: usize>(
+pub(crate) fn minors<const M: usize>(
     n: usize,
-    k: usize,
-    rows: &Rows,
-    heights: Option<&[(f64, f64); ROWS]>,
+    entry: impl Fn(usize, usize) -> (f64, f64),
 ) -> (f64, f64) {
     let mut minors = [(1.0, 1.0); M];
     let all = (1usize << n) - 1;
@@ -118,10 +122,7 @@ fn minors<const M: usize>(
             let row = rest.trailing_zeros() as usize;
             rest &= rest - 1;
             let (minor, minor_magnitude) = minors[set ^ 1 << row];
-            let (entry, entry_magnitude) = match heights {
-                Some(heights) if column == k => heights[row],
-                _ => (rows[row][column], rows[row][column].abs()),
-            };
+            let (entry, entry_magnitude) = entry(row, column);
             sum += if negative { -entry * minor } else { entry * minor };
             magnitude += entry_magnitude * minor_magnitude;
             negative = !negative;

@@ -4,6 +4,7 @@ use std::cmp::Ordering;
 
 use smallvec::SmallVec;
 
+use super::words;
 use crate::Sign;
 use crate::formula::{Call, Formula, Signed};
 use crate::ring::{Homogeneous, Matrix, Ring, dot, minus, times};
@@ -12,7 +13,7 @@ fn compare<T: Signed>(a: T, b: &T) -> Option<Ordering> {
     Some(order(minus(a, b).known_sign()?))
 }
 
-fn order(sign: Sign) -> Ordering {
+pub(super) fn order(sign: Sign) -> Ordering {
     match sign {
         Sign::Negative => Ordering::Less,
         Sign::Zero => Ordering::Equal,
@@ -33,6 +34,11 @@ impl<const D: usize> Formula<D> for Lengths {
         let [a, b, c, d] = call.points.as_slice() else { panic!("two edges have four ends") };
         compare_lengths([a, b], [c, d])
     }
+    const HAS_WORDS: bool = true;
+    fn in_words(&self, points: &[[i64; 3]]) -> Option<Ordering> {
+        let &[a, b, c, d] = points else { panic!("two edges have four ends") };
+        Some(words::compare_lengths([a, b], [c, d]))
+    }
 }
 
 /// Of two times three points, the order of the angles.
@@ -51,7 +57,6 @@ pub(crate) struct Radii(pub(crate) usize);
 
 impl<const D: usize> Formula<D> for Radii {
     type Answer = Ordering;
-    const IS_LONG: bool = true;
     fn answer<T: Signed>(&self, call: &Call<T, D>) -> Option<Ordering> {
         let (s, t) = call.points.split_at(self.0);
         let [of_s, of_t] = match call.squares.split_at_checked(self.0) {
@@ -59,6 +64,11 @@ impl<const D: usize> Formula<D> for Radii {
             Some((of_s, of_t)) => [Some(of_s), Some(of_t)],
         };
         Radius::of_simplex(s, of_s).compare(&Radius::of_simplex(t, of_t))
+    }
+    const HAS_WORDS: bool = true;
+    fn in_words(&self, points: &[[i64; 3]]) -> Option<Ordering> {
+        let (s, t) = points.split_at(self.0);
+        Some(words::Radius::of_simplex(s)?.compare(&words::Radius::of_simplex(t)?))
     }
 }
 

@@ -92,3 +92,74 @@ fn lengths_are_right_at_both_ends_of_the_range() {
     assert_eq!(huge.compare_lengths([0usize, 2], [1, 0]), Ordering::Less);
     assert_eq!(huge.compare_radii(&[0usize, 1, 2], &[2, 3]), Ordering::Equal);
 }
+
+/// Numbers below 2^bits in magnitude, odd or even.
+fn whole(state: &mut u64, bits: u32) -> f64 {
+    *state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+    let magnitude = *state >> (64 - bits);
+    #[expect(clippy::cast_precision_loss, reason = "rounded is as good")]
+    let value = magnitude as f64;
+    if *state >> 7 & 1 == 0 { value } else { -value }
+}
+
+/// `Exact` has no formulas in words: the general ones answer.
+fn in_words_as_in_general<const D: usize>(points: &[[f64; D]], unit: f64) {
+    let points: Vec<[f64; D]> = points.iter().map(|p| p.map(|x| x * unit)).collect();
+    let (ours, general) = (Adaptive::new(&points[..]), Exact::new(&points[..]));
+    let ids: Vec<usize> = (0..points.len()).collect();
+    for s in 1..=D + 1 {
+        for t in 1..=D + 1 {
+            let (first, second) = (&ids[..s], &ids[points.len() - t..]);
+            assert_eq!(
+                ours.compare_radii(first, second),
+                general.compare_radii(first, second),
+                "{points:?}, {s} and {t}"
+            );
+            let mut turned = first.to_vec();
+            turned.rotate_left(1);
+            assert_eq!(ours.compare_radii(first, &turned), Ordering::Equal, "{points:?}, {s}");
+        }
+    }
+    assert_eq!(
+        ours.compare_lengths([0usize, 1], [2, 3]),
+        general.compare_lengths([0usize, 1], [2, 3]),
+        "{points:?}"
+    );
+}
+
+#[test]
+fn radii_in_words_are_those_in_general() {
+    let mut state = 3;
+    for round in 0..150 {
+        // Few bits tie and are flat; full ones are wide.
+        let bits = [1, 2, 3, 20, 53, 61][round % 6];
+        for unit in [1.0, 2f64.powi(-1000), 2f64.powi(900)] {
+            let mut coordinate = || whole(&mut state, bits);
+            let plane: [[f64; 2]; 5] = std::array::from_fn(|_| [coordinate(), coordinate()]);
+            let space: [[f64; 3]; 6] = std::array::from_fn(|_| [0; 3].map(|_| coordinate()));
+            in_words_as_in_general(&plane, unit);
+            in_words_as_in_general(&space, unit);
+        }
+    }
+}
+
+#[test]
+fn radii_in_words_have_head_room_at_the_largest_differences() {
+    // Corners of the largest cube of integers of one limb, one of them off by the least there is at that height.
+    let far = 2f64.powi(61) - 256.0;
+    for off in [0.0f64, -256.0, -512.0] {
+        let corners = [
+            [far, far, far],
+            [-far, -far, far],
+            [-far, far, -far],
+            [far, -far, -far],
+            [far + off, -far, far],
+            [-far, -far, -far],
+        ];
+        for shift in 0..6 {
+            let mut corners = corners;
+            corners.rotate_left(shift);
+            in_words_as_in_general(&corners, 1.0);
+        }
+    }
+}

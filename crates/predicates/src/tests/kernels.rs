@@ -76,19 +76,29 @@ fn naive_answers_do_not_panic_and_are_right_on_small_integers() {
 #[test]
 fn stages_are_counted() {
     let tally = Tally::default();
-    let points =
-        [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0], [1e-9, 1e-9], [1.0, 1e-300], [0.1, 0.3]];
+    let points = [
+        [0.0, 0.0],
+        [1.0, 0.0],
+        [0.0, 1.0],
+        [1.0, 1.0],
+        [1e-9, 1e-9],
+        [1.0, 1e-300],
+        [0.1, 0.3],
+        [3e-300, 1e-300],
+        [1e-300, 2e-300],
+    ];
     let kernel = Counting::new(Adaptive::new(points), &tally);
     let orientations = [
         ([0usize, 1, 2], Stage::StaticFilter),
         ([0, 1, 5], Stage::DynamicFilter),
         ([0, 3, 4], Stage::TwoLimbs),
+        ([8, 7, 3], Stage::LeadingTerms),
         ([1, 3, 5], Stage::LongSum),
     ];
     for (simplex, stage) in orientations {
         assert_eq!(kernel.orient_staged(&simplex).1, stage, "{simplex:?}");
     }
-    assert_eq!(tally.asked(Question::Orient), 4);
+    assert_eq!(tally.asked(Question::Orient), 5);
     assert_eq!(kernel.lifted_staged(&[0usize, 1, 2], 3), (Sign::Zero, Stage::MachineWords));
     let reordered = kernel.reordered(&[3, 2, 1, 0]);
     assert!(!reordered.in_sphere(&[0usize, 1, 2], 3).is_inside() || tally.perturbed() == 1);

@@ -85,7 +85,10 @@ fn chains_lead_from_end_to_end() {
     let arrangement = Arrangement::new(&points, &segments).unwrap();
     check(&arrangement);
     assert!(is_noded(&arrangement));
-    assert_eq!(arrangement.chains().iter().map(Vec::len).collect::<Vec<_>>(), [4, 1, 2, 1, 4, 0]);
+    assert_eq!(
+        arrangement.chains().iter().map(<[u32]>::len).collect::<Vec<_>>(),
+        [4, 1, 2, 1, 4, 0]
+    );
     let twice = arrangement.coverage().iter().filter(|c| c.times == 3).count();
     assert_eq!((twice, arrangement.dropped()), (1, &[5][..])); // from (2, 0) to (3, 0)
 }

@@ -25,7 +25,7 @@ impl Pslg {
     #[must_use]
     pub fn parents(&self) -> Vec<Vec<u32>> {
         let mut parents = vec![Vec::new(); self.subsegments.len()];
-        for (segment, chain) in (0u32..).zip(&self.chains) {
+        for (segment, chain) in (0u32..).zip(self.chains.iter()) {
             chain.iter().for_each(|&piece| parents[piece as usize].push(segment));
         }
         parents

@@ -1,27 +1,16 @@
 //! Whether segments cross, and where.
 
-use delone_predicates::{Adaptive, Kernel, Sign, orient2d};
+use delone_predicates::{Sign, orient2d};
 
-use super::{Crossing, Pslg};
+use super::{Crossing, Planar, Pslg, by_sweep};
 use crate::boxes::{Box2, BoxTree};
-use crate::sweep::any_crossing;
 
 impl Pslg {
     /// Every crossing, by input indices of segments; quick if there are none.
-    pub(super) fn crossings(&self) -> Vec<Crossing> {
-        if self.is_crossed() { self.list_crossings() } else { Vec::new() }
-    }
-
-    /// Whether any two subsegments cross.
-    fn is_crossed(&self) -> bool {
-        let (sorted, ranks) = (self.sites.sorted(), self.sites.ranks());
-        let ranked = |ends: &[u32; 2]| {
-            let [a, b] = ends.map(|site| ranks[site as usize]);
-            [a.min(b), a.max(b)]
-        };
-        let segments: Vec<[u32; 2]> = self.subsegments.iter().map(ranked).collect();
-        let kernel = Adaptive::new(self.sites.points()).reordered(sorted);
-        any_crossing(&kernel, sorted.len(), &segments)
+    pub(super) fn crossings(&self, planar: Planar) -> Vec<Crossing> {
+        let is_planar =
+            planar == Planar::Known || by_sweep(&self.sites, &self.subsegments).is_some();
+        if is_planar { Vec::new() } else { self.list_crossings() }
     }
 
     /// Every pair of input segments that cross, by index. O(those near each other): for input that is refused.
@@ -66,7 +55,7 @@ impl Pslg {
 }
 
 /// Whether the interiors of `ab` and `cd` meet in one point.
-fn cross(a: [f64; 2], b: [f64; 2], c: [f64; 2], d: [f64; 2]) -> bool {
+pub(super) fn cross(a: [f64; 2], b: [f64; 2], c: [f64; 2], d: [f64; 2]) -> bool {
     orient2d(a, b, c) * orient2d(a, b, d) == Sign::Negative
         && orient2d(c, d, a) * orient2d(c, d, b) == Sign::Negative
 }

@@ -3,13 +3,14 @@
 //! What cannot be used (a point that is not finite, a segment that names no point or such a one) is named and set aside; the
 //! rest is noded, so that what is wrong with the rest is found as well.
 
-use super::{Pslg, PslgFault};
+use super::{Planar, Pslg, PslgFault};
 use crate::{NotFinite, Sites};
 
 /// The usable part of the input, and why the rest is not.
 pub(super) struct Survey {
     /// The usable part, noded; its segments may cross.
     pub(super) pslg: Pslg,
+    pub(super) planar: Planar,
     /// What was set aside.
     pub(super) faults: Vec<PslgFault>,
     pub(super) names: Names,
@@ -54,7 +55,8 @@ impl Survey {
         }
         let sites = Sites::new(&finite).expect("finite points, fewer than ids");
         let ends = usable.iter().map(|ends| ends.map(|point| sites.site_of()[point])).collect();
-        Self { pslg: Pslg::noded(sites, ends), faults, names }
+        let (pslg, planar) = Pslg::noded(sites, ends);
+        Self { pslg, planar, faults, names }
     }
 }
 
@@ -75,8 +77,8 @@ impl Names {
     }
 
     /// Every crossing, in terms of the input.
-    pub(super) fn crossings(&self, pslg: &Pslg) -> Vec<PslgFault> {
-        let mut crossings = pslg.crossings();
+    pub(super) fn crossings(&self, pslg: &Pslg, planar: Planar) -> Vec<PslgFault> {
+        let mut crossings = pslg.crossings(planar);
         for crossing in &mut crossings {
             crossing.segments = crossing.segments.map(|segment| {
                 u32::try_from(self.segment(segment)).expect("segments are fewer than ids")
@@ -99,7 +101,7 @@ impl Names {
             segment: self.segment(segment),
             at: at(pslg.segments[segment as usize][0]),
         }));
-        for (segment, chain) in (0u32..).zip(&pslg.chains) {
+        for (segment, chain) in (0u32..).zip(pslg.chains.iter()) {
             let mut site = pslg.segments[segment as usize][0];
             for &piece in chain.iter().take(chain.len().saturating_sub(1)) {
                 let [low, high] = pslg.subsegments[piece as usize];

@@ -1,4 +1,5 @@
-use crate::{NotFinite, Pslg, PslgError, PslgFault, scatter};
+use super::{by_strips, by_sweep};
+use crate::{NotFinite, Pslg, PslgError, PslgFault, Sites, scatter};
 
 #[test]
 fn strict_lists_everything_that_is_repaired() {
@@ -124,4 +125,45 @@ fn overlap([a, b]: [[i64; 2]; 2], [c, d]: [[i64; 2]; 2]) -> bool {
 
 fn cross([a, b]: [[i64; 2]; 2], [c, d]: [[i64; 2]; 2]) -> bool {
     turn(a, b, c) * turn(a, b, d) < 0 && turn(c, d, a) * turn(c, d, b) < 0
+}
+
+#[test]
+fn the_sweep_nodes_as_strips_do() {
+    let mut state = 5u64;
+    let mut next = |below: usize| {
+        state = scatter(state);
+        usize::try_from(state % below as u64).unwrap()
+    };
+    let (mut noded, mut cut, mut crossed) = (0, 0, 0);
+    for _ in 0..6000 {
+        let side = 2 + next(5);
+        let points: Vec<[f64; 2]> =
+            (0..2 + next(16)).map(|_| [next(side) as f64, next(side) as f64]).collect();
+        let sites = Sites::new(&points).unwrap();
+        let end = |point: usize| sites.site_of()[point];
+        let segments: Vec<[u32; 2]> =
+            (0..next(7)).map(|_| [end(next(points.len())), end(next(points.len()))]).collect();
+        let mut expected = by_strips(&sites, &segments);
+        expected.sort_unstable();
+        let at = |site: u32| points[sites.input_of()[site as usize] as usize];
+        match by_sweep(&sites, &segments) {
+            Some(mut pieces) => {
+                pieces.sort_unstable();
+                assert_eq!(pieces, expected, "{points:?} {segments:?}");
+                noded += 1;
+                cut += usize::from(pieces.iter().any(|piece| piece.place > 0));
+            }
+            // Some pair crosses, be it at a site.
+            None => {
+                let any = segments.iter().enumerate().any(|(i, &[a, b])| {
+                    segments[..i]
+                        .iter()
+                        .any(|&[c, d]| super::crossings::cross(at(a), at(b), at(c), at(d)))
+                });
+                assert!(any, "{points:?} {segments:?}");
+                crossed += 1;
+            }
+        }
+    }
+    assert!(noded > 1000 && cut > 500 && crossed > 500, "{noded} {cut} {crossed}");
 }

@@ -1,0 +1,78 @@
+//! The segments that are edges of the Delaunay mesh already: most of them, on maps.
+//!
+//! Each is listed at its smaller end, and one pass over the mesh looks up every edge. Looking around the ends of each segment
+//! takes as many steps, but in the order of the segments: with ids that are no neighbours in space, each step waits for memory (three to
+//! five times as long, measured on a coast of 10^6 segments).
+
+use delone_mesh::HalfEdge;
+use delone_predicates::PlaneKernel;
+use delone_probe::{Event, Probe};
+
+use super::Work;
+
+/// Lists of segments by site.
+struct Listed {
+    /// By site, where its list begins.
+    starts: Vec<u32>,
+    /// The larger end and the number of each segment, sorted within a list.
+    entries: Vec<u64>,
+}
+
+impl Listed {
+    fn new(sites: usize, segments: &[[u32; 2]]) -> Self {
+        let mut starts = vec![0u32; sites + 2];
+        segments.iter().for_each(|&[a, b]| starts[a.min(b) as usize + 2] += 1);
+        for site in 2..starts.len() {
+            starts[site] += starts[site - 1];
+        }
+        let mut entries = vec![0; segments.len()];
+        for (number, &[a, b]) in (0u64..).zip(segments) {
+            let place = &mut starts[a.min(b) as usize + 1];
+            entries[*place as usize] = u64::from(a.max(b)) << 32 | number;
+            *place += 1;
+        }
+        for site in 0..sites {
+            entries[starts[site] as usize..starts[site + 1] as usize].sort_unstable();
+        }
+        Self { starts, entries }
+    }
+
+    /// The numbers of the segments between sites `a` and `b`, of which `a` is the smaller.
+    fn between(&self, a: usize, b: usize) -> impl Iterator<Item = usize> {
+        let list = &self.entries[self.starts[a] as usize..self.starts[a + 1] as usize];
+        let wanted = b as u64;
+        let first = list.partition_point(|entry| entry >> 32 < wanted);
+        let equal = list[first..].iter().take_while(move |&entry| entry >> 32 == wanted);
+        equal.map(|&entry| usize::try_from(entry & u64::from(u32::MAX)).expect("32 bits"))
+    }
+}
+
+impl<K: PlaneKernel> Work<'_, K> {
+    /// Marks the edges that are segments. Returns for each segment whether it is an edge.
+    pub(super) fn mark_present(
+        &mut self,
+        sites: usize,
+        segments: &[[u32; 2]],
+        probe: &mut impl Probe,
+    ) -> Vec<bool> {
+        let listed = Listed::new(sites, segments);
+        let mut present = vec![false; segments.len()];
+        for index in 0..3 * self.mesh.cell_count() {
+            let h = HalfEdge::from_index(index);
+            let (a, b) = (self.mesh.origin(h), self.mesh.destination(h));
+            if a.is_ghost() || b.is_ghost() || a > b {
+                continue;
+            }
+            let mut found = false;
+            for number in listed.between(a.index(), b.index()) {
+                present[number] = true;
+                probe.on(Event::Subsegment);
+                found = true;
+            }
+            if found {
+                self.mark(h);
+            }
+        }
+        present
+    }
+}
