@@ -11,7 +11,7 @@
 //! | `constructed` | the mesh of similar plain points; that by rationals | algorithms over constructed points |
 //! | `cgal`, `spade` | the same triangulation as another program's | workloads, and the collected files |
 //! | `dimensions` | Qhull's cells, in general position; validity | four, five and six dimensions |
-//! | `generated` | all laws, shrinking what fails | structured random inputs |
+//! | `generated` | all laws, shrinking what fails | the first cases of every target of the fuzzer |
 //! | `regressions` | all laws | `regressions/`, which only grows |
 //!
 //! **Order of trust** where programs disagree: the judge (`delone::check`), CGAL, spade.
@@ -26,28 +26,19 @@
 
 #![expect(clippy::missing_panics_doc, reason = "panicking is how a test's helper speaks")]
 
-pub mod case;
-pub mod cells;
 pub mod cgal;
 pub mod corpus;
 pub mod data;
-pub mod exact;
 pub mod generated;
 pub mod hand;
-pub mod judge;
-pub mod laws;
 pub mod qhull;
+
+pub use delone_laws::{case, cells, exact, id, judge, laws};
 
 /// Says on standard error what a test skipped or counted.
 #[expect(clippy::print_stderr, reason = "tests tell what they did not do")]
 pub fn say(text: impl AsRef<str>) {
     eprintln!("{}", text.as_ref());
-}
-
-/// An index as an id.
-#[must_use]
-pub fn id(index: usize) -> u32 {
-    u32::try_from(index).expect("test inputs have fewer than 2^32 points")
 }
 
 /// Whether the long version of a test is asked for.

@@ -2,10 +2,12 @@
 
 mod base64;
 mod canvas;
+mod scene;
 mod table;
 
 use crate::svg::{Picture, Style};
 use crate::text::Escaped;
+pub use scene::{Scene, Span, Step};
 use std::fmt::Write;
 use std::io;
 pub use table::{Cell, Table, Tone};
@@ -18,6 +20,7 @@ pub const SVG_EDGES_MAX: usize = 10_000;
 
 const STYLE: &str = include_str!("html/report.css");
 const SCRIPT: &str = include_str!("html/report.js");
+const SCENE_SCRIPT: &str = include_str!("html/scene.js");
 
 /// A place in a report that links can go to.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -109,6 +112,13 @@ impl Report {
         self.caption(caption);
     }
 
+    /// A scene: layers to switch and, if it moves, steps to go through.
+    pub fn scene(&mut self, scene: &Scene, style: &Style, caption: &str) {
+        self.canvases += 1;
+        scene.write(&mut self.body, self.canvases, style);
+        self.caption(caption);
+    }
+
     /// Whatever `fill` adds, folded away under `summary` until asked for. Printing shows it.
     pub fn details(&mut self, summary: &str, fill: impl FnOnce(&mut Self)) {
         self.add(format_args!("<details><summary>{}</summary>\n", Escaped(summary)));
@@ -153,7 +163,10 @@ impl Report {
         }
         let _ = write!(out, "</header>\n<main>\n{}</main>\n", self.body);
         // The markers hide the script's `<` and `&` from an XML parser, and are comments to JavaScript.
-        let _ = write!(out, "<script>//<![CDATA[\n{SCRIPT}//]]></script>\n</body>\n</html>\n");
+        let _ = write!(
+            out,
+            "<script>//<![CDATA[\n{SCRIPT}{SCENE_SCRIPT}//]]></script>\n</body>\n</html>\n"
+        );
         out
     }
 

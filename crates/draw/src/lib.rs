@@ -26,6 +26,7 @@
 //! | [`Solid`] | a tetrahedral mesh as SVG: shaded boundary, wires inside | up to some 10,000 facets |
 //! | [`Plot`] | curves on logarithmic axes, with their exponents | how a cost grows |
 //! | [`Rasters`] | fields of signs or classes, side by side in rows | maps of predicates |
+//! | [`Scene`] | layers to switch, steps to go through, in a report | what an algorithm did |
 //! | [`Report`] | paragraphs, sortable tables, figures; a figure of more than [`SVG_EDGES_MAX`] edges becomes a canvas with pan and zoom | `compare`, benchmarks |
 //!
 //! # Contract
@@ -48,7 +49,7 @@ mod solid;
 mod svg;
 mod text;
 
-pub use html::{Anchor, Cell, Report, SVG_EDGES_MAX, Table, Tone};
+pub use html::{Anchor, Cell, Report, SVG_EDGES_MAX, Scene, Span, Step, Table, Tone};
 pub use plot::{Plot, Series};
 pub use rasters::{Raster, Rasters};
 pub use solid::Solid;

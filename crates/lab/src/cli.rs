@@ -1,10 +1,18 @@
 //! The command line: every command and option, with what `--help` says.
 
+mod bench;
+mod fuzz;
+mod replay;
+
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
+
+pub(crate) use bench::{Bench, BenchAction, Engine};
+pub(crate) use fuzz::{Fuzz, Program, Shrink};
+pub(crate) use replay::Replay;
 
 #[derive(Parser)]
 #[command(
@@ -47,6 +55,17 @@ pub(crate) enum Command {
     Draw(Draw),
     /// Draw where a rounded orientation is wrong: three published lines, plain doubles beside exact signs
     Classroom(Classroom),
+    /// Try every law on structured random inputs, or the judge on another program's output
+    Fuzz(Fuzz),
+    /// Make a failing input as small as possible
+    Shrink(Shrink),
+    /// Make a page to go through a construction step by step
+    Replay(Replay),
+    /// Time engines side by side, peers included, each judged before its times count
+    Bench(Bench),
+    /// One of our algorithms as an engine of a benchmark
+    #[command(hide = true)]
+    Engine(Engine),
     /// List the algorithms, the papers they follow, and what they are for
     Cite,
     /// Print a completion script for a shell

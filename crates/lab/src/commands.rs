@@ -1,12 +1,17 @@
 //! One file for each command.
 
+mod bench;
 mod check;
 mod classroom;
 mod compare;
 mod convert;
 mod draw;
+mod engine;
+mod fuzz;
 mod generate;
 mod meta;
+mod replay;
+mod shrink;
 mod triangulate;
 mod triangulate2d;
 
@@ -25,6 +30,11 @@ pub(crate) fn run(command: &Command) -> Result<(), Failure> {
         Command::Convert(arguments) => convert::convert(arguments),
         Command::Draw(arguments) => draw::draw(arguments),
         Command::Classroom(arguments) => classroom::classroom(arguments),
+        Command::Fuzz(arguments) => fuzz::fuzz(arguments),
+        Command::Shrink(arguments) => shrink::shrink(arguments),
+        Command::Replay(arguments) => replay::replay(arguments),
+        Command::Bench(arguments) => bench::bench(arguments),
+        Command::Engine(arguments) => engine::engine(arguments),
         Command::Cite => meta::cite(),
         Command::Completions { shell } => meta::completions(*shell),
         Command::Man => meta::man(),

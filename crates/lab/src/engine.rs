@@ -269,7 +269,7 @@ impl Triangulation {
             (Self::RegularPlane(result), Body::WeightedPlane(sites)) => result.fingerprint(sites),
             (Self::RegularSpace(result), Body::WeightedSpace(sites)) => result.fingerprint(sites),
             (Self::Constrained(result), Body::Graph(pslg)) => result.fingerprint(pslg),
-            (Self::Constrained(result), Body::Crossed(graph)) => result.fingerprint(graph),
+            (Self::Constrained(result), Body::Crossed(graph)) => result.fingerprint(&**graph),
             _ => unreachable!("a result belongs to its subject"),
         }
     }
@@ -314,7 +314,7 @@ impl Triangulation {
     pub(crate) fn domain(&self, subject: &Subject, fill: &Fill) -> Result<Domain, FillError> {
         match (self, &subject.body) {
             (Self::Constrained(cdt), Body::Graph(pslg)) => Domain::new(cdt, pslg, fill),
-            (Self::Constrained(cdt), Body::Crossed(graph)) => Domain::new(cdt, graph, fill),
+            (Self::Constrained(cdt), Body::Crossed(graph)) => Domain::new(cdt, &**graph, fill),
             _ => unreachable!("only graphs are filled"),
         }
     }

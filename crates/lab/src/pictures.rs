@@ -1,10 +1,12 @@
 //! Pictures of subjects and their triangulations.
 
-use delone_delaunay::PowerDiagram;
-use delone_draw::{Picture, Solid, Style};
+use delone_delaunay::{Options, PowerDiagram};
+use delone_draw::{Picture, Scene, Solid, Span, Style};
 use delone_formats::Document;
+use delone_sites::Sites;
 
 use crate::engine::Triangulation;
+use crate::judge;
 use crate::subject::{Body, Subject};
 
 /// What a picture is drawn from, owned.
@@ -92,6 +94,27 @@ impl Drawing {
         }
     }
 
+    /// As a scene with layers: the input's triangulation, its constraints, its hull, and what is not Delaunay in it.
+    pub(crate) fn scene(&self) -> Scene {
+        let known = Sites::new(&self.points).map(|sites| delaunay_edges(&sites));
+        let forced = known.map_or_else(
+            |_| Vec::new(),
+            |known| {
+                let edges = edges(self.triangles.iter());
+                edges.into_iter().filter(|edge| known.binary_search(edge).is_err()).collect()
+            },
+        );
+        let always = |edges: Vec<[u32; 2]>| edges.into_iter().map(Span::always).collect();
+        Scene {
+            points: self.points.clone(),
+            triangles: self.triangles.iter().copied().map(Span::always).collect(),
+            constraints: always(self.segments.clone()),
+            ghosts: always(outer(&self.triangles)),
+            forced: always(forced),
+            steps: Vec::new(),
+        }
+    }
+
     /// As SVG.
     pub(crate) fn svg(&self, style: &Style) -> String {
         if self.is_space() {
@@ -106,4 +129,33 @@ impl Drawing {
             self.plane().svg(style)
         }
     }
+}
+
+/// The edges of the Delaunay triangulation, by input point, in increasing order.
+fn delaunay_edges(sites: &Sites<2>) -> Vec<[u32; 2]> {
+    let result = delone_delaunay::delaunay(sites, &Options::default(), &mut ());
+    if result.mesh().dimension() != Some(2) {
+        return Vec::new();
+    }
+    let cells = judge::solid_ids(result.mesh());
+    let named: Vec<u32> = cells.iter().map(|&site| sites.input_of()[site as usize]).collect();
+    edges(named.as_chunks::<3>().0.iter())
+}
+
+/// The directed sides of triangles that no other one has the other way: the hull.
+pub(crate) fn outer(triangles: &[[u32; 3]]) -> Vec<[u32; 2]> {
+    let mut sides: Vec<[u32; 2]> =
+        triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]).collect();
+    sides.sort_unstable();
+    let is_outer = |[a, b]: &[u32; 2]| sides.binary_search(&[*b, *a]).is_err();
+    sides.iter().copied().filter(is_outer).collect()
+}
+
+/// The edges of triangles, smaller end first, in increasing order.
+pub(crate) fn edges<'t>(triangles: impl Iterator<Item = &'t [u32; 3]>) -> Vec<[u32; 2]> {
+    let sides = triangles.flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+    let mut edges: Vec<[u32; 2]> = sides.map(|[a, b]| [a.min(b), a.max(b)]).collect();
+    edges.sort_unstable();
+    edges.dedup();
+    edges
 }

@@ -5,6 +5,17 @@ use std::time::Duration;
 use delone_probe::{Counts, Event, Probe};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
+/// What is being done, told on a terminal.
+pub(crate) fn spinner(quiet: bool) -> ProgressBar {
+    let target =
+        if quiet { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr_with_hz(5) };
+    let bar = ProgressBar::with_draw_target(None, target);
+    let style = ProgressStyle::with_template("{spinner} {msg} {elapsed}");
+    bar.set_style(style.expect("the template is well formed"));
+    bar.enable_steady_tick(Duration::from_millis(500));
+    bar
+}
+
 /// Counts, and shows how many sites are in.
 pub(crate) struct Progress {
     pub(crate) counts: Counts,

@@ -25,7 +25,7 @@ pub(crate) enum Body {
     /// Points and segments of the plane.
     Graph(Pslg),
     /// Points and segments of the plane that may cross, cut there.
-    Crossed(Arrangement),
+    Crossed(Box<Arrangement>),
 }
 
 /// Evaluates `$answer` with the sites of any body, named `$sites`.
@@ -87,7 +87,7 @@ impl Subject {
 
     /// Takes points and segments of the plane that may cross.
     pub(crate) fn crossed(document: Document) -> Result<Self, Failure> {
-        Self::noded(document, Arrangement::new, Body::Crossed)
+        Self::noded(document, Arrangement::new, |graph| Body::Crossed(Box::new(graph)))
     }
 
     fn noded<G>(

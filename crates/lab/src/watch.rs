@@ -23,6 +23,21 @@ pub(crate) fn limit(seconds: Option<f64>) -> Result<Option<Duration>, Failure> {
     limit.map(Some).map_err(|error| Failure::input(format!("--time-limit {seconds}: {error}")))
 }
 
+/// From here on the first interruption only stops what asks; the second ends the program.
+pub(crate) fn listen() {
+    // Where no handler can be set an interruption ends the program at once: files are whole or not there all the same.
+    let _ = ctrlc::set_handler(|| {
+        if INTERRUPTED.swap(true, Ordering::Relaxed) {
+            std::process::exit(130);
+        }
+    });
+}
+
+/// Whether the user has interrupted since [`listen`].
+pub(crate) fn is_interrupted() -> bool {
+    INTERRUPTED.load(Ordering::Relaxed)
+}
+
 /// A probe that stops at a time limit and at an interruption, and lets another one listen.
 pub(crate) struct Watch<'p> {
     progress: Option<&'p mut Progress>,
@@ -35,12 +50,7 @@ pub(crate) struct Watch<'p> {
 impl<'p> Watch<'p> {
     /// Begins to watch. From here on the first interruption only stops what asks; the second ends the program.
     pub(crate) fn start(progress: Option<&'p mut Progress>, limit: Option<Duration>) -> Self {
-        // Where no handler can be set an interruption ends the program at once: nothing has been written yet.
-        let _ = ctrlc::set_handler(|| {
-            if INTERRUPTED.swap(true, Ordering::Relaxed) {
-                std::process::exit(130);
-            }
-        });
+        listen();
         Self { progress, limit, start: Instant::now(), asked: 0, sites: [0, 0] }
     }
 }

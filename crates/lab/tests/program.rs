@@ -1,6 +1,12 @@
 //! The program as a user runs it: what it prints, writes, refuses, and how it exits.
 #![expect(clippy::unwrap_used, reason = "tests")]
 
+#[path = "program/bench.rs"]
+mod bench;
+#[path = "program/fuzz.rs"]
+mod fuzz;
+#[path = "program/pages.rs"]
+mod pages;
 #[path = "program/weights.rs"]
 mod weights;
 

@@ -45,6 +45,7 @@ impl Chains {
     }
 
     /// The chains of all segments, in order.
+    #[must_use]
     pub fn iter(&self) -> impl ExactSizeIterator<Item = &[u32]> + Clone {
         self.starts.windows(2).map(|ends| &self.pieces[ends[0] as usize..ends[1] as usize])
     }

@@ -38,16 +38,104 @@ function bytes(figure, name) {
   return out.buffer;
 }
 
+// Painters of all canvases, to be run at once when the page is there.
+const painters = [];
+
+// A canvas that can be moved and zoomed; `paint` draws it, given the view and the page's colours.
+function stage(canvas, paint) {
+  const draw = canvas.getContext("2d"), wide = +canvas.dataset.width, high = +canvas.dataset.height;
+  const view = { zoom: 1, left: 0, top: 0, scale: 1, width: 0, height: 0, moved: () => `${Math.round(view.left - home)} ${Math.round(view.top)}` };
+  let fit = 1, home = 0, waiting = false;
+
+  function now() {
+    waiting = false;
+    const colours = getComputedStyle(document.documentElement), colour = name => colours.getPropertyValue(name).trim();
+    view.scale = fit * view.zoom;
+    draw.setTransform(devicePixelRatio, 0, 0, devicePixelRatio, 0, 0);
+    draw.clearRect(0, 0, view.width, view.height);
+    draw.lineCap = "round";
+    paint(draw, view, colour);
+  }
+
+  function soon() {
+    if (!waiting) { waiting = true; requestAnimationFrame(now); }
+  }
+
+  function reset() {
+    view.width = canvas.clientWidth;
+    fit = Math.min(view.width / wide, 760 / high);
+    view.height = Math.max(60, fit * high);
+    canvas.style.height = `${view.height}px`;
+    canvas.width = Math.round(view.width * devicePixelRatio);
+    canvas.height = Math.round(view.height * devicePixelRatio);
+    view.zoom = 1;
+    home = view.left = (view.width - fit * wide) / 2;
+    view.top = 0;
+    soon();
+  }
+
+  function zoomBy(factor, x, y) {
+    const next = Math.min(1e5, Math.max(0.5, view.zoom * factor)), by = next / view.zoom;
+    view.left = x - (x - view.left) * by;
+    view.top = y - (y - view.top) * by;
+    view.zoom = next;
+    soon();
+  }
+
+  canvas.addEventListener("wheel", event => {
+    event.preventDefault();
+    zoomBy(Math.pow(2, -event.deltaY / 300), event.offsetX, event.offsetY);
+  }, { passive: false });
+  // One finger or the mouse moves; two fingers zoom around their middle.
+  const held = new Map();
+  canvas.addEventListener("pointerdown", event => {
+    // A pointer that is not really there, as a test's, cannot be captured.
+    try { canvas.setPointerCapture(event.pointerId); } catch (error) { if (event.isTrusted) throw error; }
+    held.set(event.pointerId, [event.offsetX, event.offsetY]);
+  });
+  canvas.addEventListener("pointermove", event => {
+    const before = held.get(event.pointerId);
+    if (!before) return;
+    const now = [event.offsetX, event.offsetY], others = [...held].filter(([id]) => id !== event.pointerId);
+    if (others.length) {
+      const [, other] = others[0], far = p => Math.hypot(p[0] - other[0], p[1] - other[1]) || 1;
+      zoomBy(far(now) / far(before), (now[0] + other[0]) / 2, (now[1] + other[1]) / 2);
+    } else {
+      view.left += now[0] - before[0];
+      view.top += now[1] - before[1];
+      soon();
+    }
+    held.set(event.pointerId, now);
+  });
+  for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, event => held.delete(event.pointerId));
+  canvas.addEventListener("dblclick", reset);
+  canvas.addEventListener("keydown", event => {
+    const moves = { ArrowLeft: [40, 0], ArrowRight: [-40, 0], ArrowUp: [0, 40], ArrowDown: [0, -40] }, move = moves[event.key];
+    if (move) { view.left += move[0]; view.top += move[1]; soon(); }
+    else if (event.key === "+" || event.key === "=") zoomBy(1.5, view.width / 2, view.height / 2);
+    else if (event.key === "-") zoomBy(1 / 1.5, view.width / 2, view.height / 2);
+    else if (event.key === "0") reset();
+    else return;
+    event.preventDefault();
+  });
+  addEventListener("resize", () => { if (canvas.clientWidth !== view.width) reset(); });
+  canvas.closest("details")?.addEventListener("toggle", () => { if (canvas.clientWidth !== view.width) reset(); });
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", soon);
+  reset();
+  painters.push(now);
+  return { soon };
+}
+
 function mesh(canvas) {
-  const figure = canvas.closest("figure"), draw = canvas.getContext("2d");
+  const figure = canvas.closest("figure");
   const points = new Float32Array(bytes(figure, "points"));
   const layer = name => new Uint32Array(bytes(figure, name));
   const edges = layer("edges"), segments = layer("segments"), highlights = layer("highlights"), fills = layer("fills");
   const wide = +canvas.dataset.width, high = +canvas.dataset.height;
-  let zoom = 1, left = 0, top = 0, fit = 1, width = 0, height = 0, waiting = false;
 
   // Edges wholly beyond one side of the window are skipped; long paths are stroked in pieces, which browsers draw faster.
-  function lines(list, scale, x0, y0) {
+  function lines(draw, view, list, scale, x0, y0) {
+    const { width, height } = view;
     let pending = 0;
     draw.beginPath();
     for (let i = 0; i < list.length; i += 2) {
@@ -62,7 +150,7 @@ function mesh(canvas) {
     draw.stroke();
   }
 
-  function areas(scale, x0, y0, colour) {
+  function areas(draw, scale, x0, y0, colour) {
     for (let turn = 0; turn < 8; turn++) {
       draw.beginPath();
       for (let i = 0; i < fills.length; i += 4) {
@@ -78,25 +166,20 @@ function mesh(canvas) {
     }
   }
 
-  function paint() {
-    waiting = false;
-    const colours = getComputedStyle(document.documentElement), colour = name => colours.getPropertyValue(name).trim();
-    const scale = fit * zoom, x0 = left, y0 = top;
-    draw.setTransform(devicePixelRatio, 0, 0, devicePixelRatio, 0, 0);
-    draw.clearRect(0, 0, width, height);
-    draw.lineCap = "round";
-    if (fills.length) areas(scale, x0, y0, colour);
+  stage(canvas, (draw, view, colour) => {
+    const { scale, width, height } = view, x0 = view.left, y0 = view.top;
+    if (fills.length) areas(draw, scale, x0, y0, colour);
     // About as far apart as vertices are on the screen: thin lines where they are dense, dots where there is room.
     const room = scale * Math.sqrt(wide * high / Math.max(1, points.length / 2));
     draw.strokeStyle = colour("--edge");
     draw.lineWidth = Math.min(1, Math.max(0.15, room / 16));
-    lines(edges, scale, x0, y0);
+    lines(draw, view, edges, scale, x0, y0);
     draw.strokeStyle = colour("--segment");
     draw.lineWidth = Math.min(2.4, Math.max(0.8, room / 6));
-    lines(segments, scale, x0, y0);
+    lines(draw, view, segments, scale, x0, y0);
     draw.strokeStyle = colour("--highlight");
     draw.lineWidth = 3;
-    lines(highlights, scale, x0, y0);
+    lines(draw, view, highlights, scale, x0, y0);
     if (room > 14 || !edges.length && !segments.length) {
       const r = Math.min(3, Math.max(0.6, room / 8));
       draw.fillStyle = colour("--site");
@@ -108,72 +191,7 @@ function mesh(canvas) {
         draw.fill();
       }
     }
-  }
-
-  function soon() {
-    if (!waiting) { waiting = true; requestAnimationFrame(paint); }
-  }
-
-  function reset() {
-    width = canvas.clientWidth;
-    fit = Math.min(width / wide, 760 / high);
-    height = Math.max(60, fit * high);
-    canvas.style.height = `${height}px`;
-    canvas.width = Math.round(width * devicePixelRatio);
-    canvas.height = Math.round(height * devicePixelRatio);
-    zoom = 1;
-    left = (width - fit * wide) / 2;
-    top = 0;
-    paint();
-  }
-
-  function zoomBy(factor, x, y) {
-    const next = Math.min(1e5, Math.max(0.5, zoom * factor)), by = next / zoom;
-    left = x - (x - left) * by;
-    top = y - (y - top) * by;
-    zoom = next;
-    soon();
-  }
-
-  canvas.addEventListener("wheel", event => {
-    event.preventDefault();
-    zoomBy(Math.pow(2, -event.deltaY / 300), event.offsetX, event.offsetY);
-  }, { passive: false });
-  // One finger or the mouse moves; two fingers zoom around their middle.
-  const held = new Map();
-  canvas.addEventListener("pointerdown", event => {
-    canvas.setPointerCapture(event.pointerId);
-    held.set(event.pointerId, [event.offsetX, event.offsetY]);
   });
-  canvas.addEventListener("pointermove", event => {
-    const before = held.get(event.pointerId);
-    if (!before) return;
-    const now = [event.offsetX, event.offsetY], others = [...held].filter(([id]) => id !== event.pointerId);
-    if (others.length) {
-      const [, other] = others[0], far = p => Math.hypot(p[0] - other[0], p[1] - other[1]) || 1;
-      zoomBy(far(now) / far(before), (now[0] + other[0]) / 2, (now[1] + other[1]) / 2);
-    } else {
-      left += now[0] - before[0];
-      top += now[1] - before[1];
-      soon();
-    }
-    held.set(event.pointerId, now);
-  });
-  for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, event => held.delete(event.pointerId));
-  canvas.addEventListener("dblclick", reset);
-  canvas.addEventListener("keydown", event => {
-    const moves = { ArrowLeft: [40, 0], ArrowRight: [-40, 0], ArrowUp: [0, 40], ArrowDown: [0, -40] }, move = moves[event.key];
-    if (move) { left += move[0]; top += move[1]; soon(); }
-    else if (event.key === "+" || event.key === "=") zoomBy(1.5, width / 2, height / 2);
-    else if (event.key === "-") zoomBy(1 / 1.5, width / 2, height / 2);
-    else if (event.key === "0") reset();
-    else return;
-    event.preventDefault();
-  });
-  addEventListener("resize", () => { if (canvas.clientWidth !== width) reset(); });
-  canvas.closest("details")?.addEventListener("toggle", () => { if (canvas.clientWidth !== width) reset(); });
-  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", soon);
-  reset();
 }
 
 for (const canvas of document.querySelectorAll("canvas.mesh")) mesh(canvas);

@@ -68,6 +68,11 @@ impl Layout {
         corners.iter().map(|&p| self.screen(p)).collect()
     }
 
+    /// Pixels that each axis takes, in the middle of the picture.
+    pub(crate) const fn lengths(&self) -> [f64; 2] {
+        self.lengths
+    }
+
     pub(crate) fn place(&self, v: u32) -> Option<[f64; 2]> {
         at(&self.places, v).flatten()
     }

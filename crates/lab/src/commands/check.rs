@@ -35,7 +35,7 @@ pub(crate) fn check(arguments: &cli::Check) -> Result<(), Failure> {
 }
 
 /// The output's document. A file of elements without nodes beside it takes the input's points.
-fn read_output(path: &Path, given: &Document) -> Result<Document, Failure> {
+pub(crate) fn read_output(path: &Path, given: &Document) -> Result<Document, Failure> {
     let name = path.to_string_lossy();
     let wants_nodes = matches!(Format::from_path(&name), Some(Format::Ele | Format::Edge));
     if !wants_nodes || path.with_extension("node").is_file() {
@@ -93,7 +93,7 @@ fn weights(given: &Document) -> Result<&[f64], Failure> {
 }
 
 /// The one vertex there is if all points are equal: the first of them; with weights, the heaviest.
-fn lone(given: &Document) -> Option<u32> {
+pub(crate) fn lone(given: &Document) -> Option<u32> {
     let weight = |i: u32| given.weights.as_ref().and_then(|w| w.get(i as usize)).copied();
     let points = (0u32..).take(given.point_count());
     points.reduce(|best, i| if weight(i) > weight(best) { i } else { best })
@@ -101,7 +101,11 @@ fn lone(given: &Document) -> Option<u32> {
 
 /// The cells of the output by input point: its simplices of the highest dimension that it has. Without any, it can only
 /// be the triangulation of a single site, or of none.
-fn cells(lone: Option<u32>, output: &Document, names: &[u32]) -> (Option<usize>, Vec<u32>) {
+pub(crate) fn cells(
+    lone: Option<u32>,
+    output: &Document,
+    names: &[u32],
+) -> (Option<usize>, Vec<u32>) {
     let named = |ids: &[u32]| ids.iter().map(|&id| names[id as usize]).collect::<Vec<u32>>();
     if !output.tets.is_empty() {
         (Some(3), named(output.tets.as_flattened()))
@@ -119,7 +123,7 @@ fn options(arguments: &cli::Check) -> Options {
 }
 
 /// For each point of the output, the input point at the same position: the same index if that one is.
-fn names<const D: usize>(
+pub(crate) fn names<const D: usize>(
     given: &[[f64; D]],
     output: &[[f64; D]],
     document: &Document,

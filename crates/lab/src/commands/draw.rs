@@ -10,7 +10,7 @@ use delone_mesh::Mesh;
 use crate::cli;
 use crate::engine::{self, Triangulation};
 use crate::failure::Failure;
-use crate::pictures::Drawing;
+use crate::pictures::{Drawing, edges};
 use crate::result::describe;
 use crate::subject::{Body, Subject};
 use crate::{input, judge, output};
@@ -76,7 +76,8 @@ fn figure(document: Document, arguments: &cli::Draw) -> Result<String, Failure> 
     let cdt = delone_cdt::cavity(pslg, &Options::default(), &mut ());
     let points = pslg.sites().points();
     let triangles = [free.mesh(), cdt.mesh()].map(triangles);
-    let [delaunay, constrained] = [&triangles[0], &triangles[1]].map(|triangles| edges(triangles));
+    let [delaunay, constrained] =
+        [&triangles[0], &triangles[1]].map(|triangles| edges(triangles.iter()));
     let missing: Vec<[u32; 2]> = without(pslg.subsegments(), &delaunay);
     let forced: Vec<[u32; 2]> = without(&constrained, &delaunay);
     let bare = Picture { points, segments: pslg.subsegments(), ..Picture::default() };
@@ -113,15 +114,6 @@ fn triangles(mesh: &Mesh<2>) -> Vec<[u32; 3]> {
     } else {
         Vec::new()
     }
-}
-
-/// The sides of triangles, smaller end first, in increasing order.
-fn edges(triangles: &[[u32; 3]]) -> Vec<[u32; 2]> {
-    let sides = triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
-    let mut edges: Vec<[u32; 2]> = sides.map(|[a, b]| [a.min(b), a.max(b)]).collect();
-    edges.sort_unstable();
-    edges.dedup();
-    edges
 }
 
 fn without(edges: &[[u32; 2]], known: &[[u32; 2]]) -> Vec<[u32; 2]> {

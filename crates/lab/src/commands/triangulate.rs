@@ -224,6 +224,8 @@ fn page(outcome: &Outcome<'_>, drawing: &Drawing, style: &Style) -> String {
     page.heading("Triangulation", &Anchor::new("triangulation"));
     if drawing.is_space() {
         page.svg(&drawing.svg(style), &describe(outcome.subject));
+    } else if drawing.plane().regions.is_empty() {
+        page.scene(&drawing.scene(), style, &describe(outcome.subject));
     } else {
         page.picture(&drawing.plane(), style, &describe(outcome.subject));
     }

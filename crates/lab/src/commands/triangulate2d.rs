@@ -77,7 +77,7 @@ impl<'s> Soup<'s> {
         let interior = match (triangulation, &subject.body) {
             (Triangulation::Constrained(cdt), Body::Graph(pslg)) => Interior::of(cdt, pslg, domain),
             (Triangulation::Constrained(cdt), Body::Crossed(graph)) => {
-                Interior::of(cdt, graph, domain)
+                Interior::of(cdt, &**graph, domain)
             }
             _ => unreachable!("a soup is a graph"),
         };

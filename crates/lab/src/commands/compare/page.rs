@@ -119,7 +119,7 @@ fn section(report: &mut Report, entry: &Entry, number: usize) {
     } else if entry.drawing.is_space() {
         report.svg(&entry.drawing.svg(&style), name);
     } else {
-        report.picture(&entry.drawing.plane(), &style, name);
+        report.scene(&entry.drawing.scene(), &style, name);
     }
     for row in &entry.rows {
         report.details(&format!("{}: counts, proof", row.algorithm), |report| details(report, row));

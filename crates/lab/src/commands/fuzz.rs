@@ -1,0 +1,281 @@
+//! `delone fuzz`: targets, budgets, shards; failures made small.
+
+mod campaign;
+pub(crate) mod files;
+pub(crate) mod findings;
+pub(crate) mod program;
+mod shards;
+mod state;
+
+use std::time::Duration;
+
+use delone_laws::fuzz::{Broken, Shard, Subject, Tally, Target, target, targets};
+use serde_json::{Value, json};
+
+use crate::cli;
+use crate::failure::Failure;
+use crate::progress::spinner;
+use crate::{output, watch};
+use campaign::Budget;
+use findings::Kept;
+use program::Program;
+
+/// What was seen of one target.
+struct Seen {
+    tally: Tally,
+    /// None if it was merged of shards.
+    seconds: Option<f64>,
+}
+
+/// Seconds if no budget is given.
+const SECONDS: f64 = 10.0;
+
+pub(crate) fn fuzz(arguments: &cli::Fuzz) -> Result<(), Failure> {
+    if arguments.list {
+        return list(arguments);
+    }
+    let targets = chosen(arguments)?;
+    let mut program = Program::new(&arguments.program)?;
+    files::check_folder(&arguments.output)?;
+    if let Some(k) = arguments.case {
+        return again(arguments, &targets, k, &mut program);
+    }
+    watch::listen();
+    let canary =
+        if arguments.merge.is_none() { Some(campaign::canary(arguments.seed)?) } else { None };
+    let seen = if let Some(folder) = &arguments.merge {
+        merged(folder, &targets, None)?
+    } else if let (Some(count), Some(folder)) = (arguments.shards, &arguments.state) {
+        let names: Vec<&str> = targets.iter().map(|target| target.name).collect();
+        shards::run(arguments, &names, count)?;
+        merged(folder, &targets, Some(arguments.seed))?
+    } else {
+        run(arguments, &targets, &mut program)?
+    };
+    let mut kept = Vec::new();
+    let bar = spinner(arguments.voice.quiet);
+    bar.set_message("making failures small");
+    if arguments.shard.is_none() {
+        for Seen { tally, .. } in &seen {
+            let target = targets.iter().find(|target| label(target, arguments) == tally.target);
+            let target = target.expect("a tally is one of these targets'");
+            kept.extend(findings::keep(target, tally, &mut program, &arguments.output)?);
+        }
+    }
+    bar.finish_and_clear();
+    tell(arguments, canary, &seen, &kept);
+    if watch::is_interrupted() {
+        return Err(Failure::Limit("interrupted; what was found until then is told".to_owned()));
+    }
+    let failed = seen.iter().any(|seen| !seen.tally.findings.is_empty());
+    if failed { Err(Failure::Difference(None)) } else { Ok(()) }
+}
+
+/// What a target is called in tallies: with a program, a campaign of its own.
+fn label(target: &Target, arguments: &cli::Fuzz) -> String {
+    match &arguments.program.program {
+        Some(program) => format!("{} {program}", target.name),
+        None => target.name.to_owned(),
+    }
+}
+
+/// The targets asked for, or all but the canary; with a program, those whose answer is cells.
+fn chosen(arguments: &cli::Fuzz) -> Result<Vec<Target>, Failure> {
+    let judged = ["delaunay-2d", "delaunay-3d", "cdt"];
+    let fits = |target: &Target| {
+        if arguments.program.program.is_some() { judged.contains(&target.name) } else { true }
+    };
+    let known: Vec<Target> = targets().into_iter().filter(|target| fits(target)).collect();
+    if arguments.targets.is_empty() {
+        if arguments.program.program.is_some() {
+            return Err(Failure::input(format!(
+                "say what the program makes: {}",
+                judged.join(", ")
+            )));
+        }
+        return Ok(known.into_iter().filter(|target| !target.is_canary()).collect());
+    }
+    let find = |name: &String| {
+        known.iter().find(|target| target.name == name).cloned().ok_or_else(|| {
+            let names: Vec<&str> = known.iter().map(|target| target.name).collect();
+            Failure::input(format!("no target is called {name}: there are {}", names.join(", ")))
+        })
+    };
+    arguments.targets.iter().map(find).collect()
+}
+
+/// `I/N`.
+fn shard(text: Option<&str>) -> Result<Shard, Failure> {
+    let Some(text) = text else { return Ok(Shard::WHOLE) };
+    let numbers = text
+        .split_once('/')
+        .and_then(|(part, parts)| Shard::of(part.parse().ok()?, parts.parse().ok()?));
+    numbers.ok_or_else(|| Failure::input(format!("--shard {text}: say I/N with I below N, as 0/8")))
+}
+
+/// Runs all targets in this process, each for its part of the time.
+fn run(
+    arguments: &cli::Fuzz,
+    targets: &[Target],
+    program: &mut Option<Program>,
+) -> Result<Vec<Seen>, Failure> {
+    let shard = shard(arguments.shard.as_deref())?;
+    let limited = arguments.seconds.or_else(|| arguments.cases.is_none().then_some(SECONDS));
+    let count = u32::try_from(targets.len()).expect("a few targets");
+    let each = limited.map(|seconds| Duration::try_from_secs_f64(seconds / f64::from(count)));
+    let each = each.transpose().map_err(|error| Failure::input(format!("--seconds: {error}")))?;
+    let budget = Budget { seconds: each, cases: arguments.cases, first: arguments.first };
+    let (folder, quiet) = (arguments.state.as_deref(), arguments.voice.quiet);
+    let mut all = Vec::new();
+    for target in targets {
+        let label = label(target, arguments);
+        let saved = folder.map(|folder| state::path(folder, &label, arguments.seed, shard));
+        let mut tally = match saved.filter(|path| path.is_file()) {
+            Some(path) => state::load(&path)?,
+            None => Tally { target: label, ..Tally::new(target, arguments.seed, shard) },
+        };
+        let seconds = campaign::run(target, &mut tally, budget, program, folder, quiet)?;
+        all.push(Seen { tally, seconds: Some(seconds) });
+    }
+    Ok(all)
+}
+
+/// The shards of a folder, merged by target; only those of a seed, if one is given.
+fn merged(
+    folder: &std::path::Path,
+    targets: &[Target],
+    seed: Option<u64>,
+) -> Result<Vec<Seen>, Failure> {
+    let mut all = Vec::new();
+    for shards in state::load_all(folder)? {
+        let wanted = |tally: &Tally| {
+            targets.iter().any(|target| tally.target.split(' ').next() == Some(target.name))
+                && seed.is_none_or(|seed| tally.seed == seed)
+        };
+        if shards.iter().all(wanted) {
+            let tally = Tally::merged(&shards).map_err(|error| {
+                Failure::input(format!("{}: {}: {error}", folder.display(), shards[0].target))
+            })?;
+            all.push(Seen { tally, seconds: None });
+        }
+    }
+    Ok(all)
+}
+
+/// One case again: its outcome, and its input as a file.
+fn again(
+    arguments: &cli::Fuzz,
+    targets: &[Target],
+    k: u64,
+    program: &mut Option<Program>,
+) -> Result<(), Failure> {
+    let [target] = targets else {
+        return Err(Failure::input("--case is the number of one target's case: name the target"));
+    };
+    let input = target.case(arguments.seed, k);
+    let outcome = match program {
+        Some(program) => program.try_on(&input),
+        None => (&mut &*target).try_on(&input),
+    };
+    let none = Broken { law: "none".into(), place: "nothing broke".into(), message: String::new() };
+    let broken = outcome.as_ref().err().unwrap_or(&none);
+    let name = format!("{}-seed-{}-case-{k}", target.name, arguments.seed);
+    let file = files::path(&arguments.output, &name, &input);
+    files::keep(&file, &input, broken)?;
+    if arguments.voice.json {
+        let ok = outcome.is_ok();
+        println!(
+            "{}",
+            json!({
+                "schema": "delone.fuzz.case/1", "target": target.name, "seed": arguments.seed, "case": k, "ok": ok,
+                "law": broken.law, "place": broken.place, "message": broken.message, "file": file.to_string_lossy(),
+            })
+        );
+    } else {
+        println!("{} points, {} segments: {}", input.points(), input.segments(), file.display());
+        println!(
+            "{}",
+            if outcome.is_ok() { "every law holds".to_owned() } else { broken.to_string() }
+        );
+    }
+    if outcome.is_ok() { Ok(()) } else { Err(Failure::Difference(None)) }
+}
+
+fn tell(arguments: &cli::Fuzz, canary: Option<u64>, seen: &[Seen], kept: &[Kept]) {
+    if arguments.voice.json {
+        println!("{}", json(arguments, canary, seen, kept));
+        return;
+    }
+    if let Some(case) = canary {
+        println!("canary         dies in case {case}, as it must");
+    }
+    for Seen { tally, seconds } in seen {
+        let rate =
+            seconds.map_or_else(String::new, |s| format!(", {:.0} a second", per_second(tally, s)));
+        println!(
+            "{:14} {} cases{rate}, {} kinds of failure, digest {:016x}",
+            tally.target,
+            tally.executions,
+            tally.findings.len(),
+            tally.digest
+        );
+    }
+    let program = arguments.program.program.as_deref();
+    kept.iter().for_each(|kept| print!("{}", kept.text(program)));
+}
+
+/// Cases a second; of those run now and before alike if a campaign was resumed.
+#[expect(clippy::cast_precision_loss, reason = "a rate for people")]
+fn per_second(tally: &Tally, seconds: f64) -> f64 {
+    tally.executions as f64 / seconds.max(1e-9)
+}
+
+fn json(arguments: &cli::Fuzz, canary: Option<u64>, seen: &[Seen], kept: &[Kept]) -> Value {
+    let row = |seen: &Seen| {
+        let Seen { tally, seconds } = seen;
+        json!({
+            "target": tally.target,
+            "executions": tally.executions,
+            "seconds": seconds,
+            "per_second": seconds.map(|seconds| per_second(tally, seconds)),
+            "digest": format!("{:016x}", tally.digest),
+            "tried": tally.tried,
+            "failures": tally.findings.len(),
+        })
+    };
+    json!({
+        "schema": "delone.fuzz/1",
+        "seed": arguments.seed,
+        "canary": canary,
+        "executions": seen.iter().map(|seen| seen.tally.executions).sum::<u64>(),
+        "targets": seen.iter().map(row).collect::<Vec<_>>(),
+        "failures": kept.iter().map(Kept::json).collect::<Vec<_>>(),
+    })
+}
+
+fn list(arguments: &cli::Fuzz) -> Result<(), Failure> {
+    let rows = targets();
+    if arguments.voice.json {
+        let row = |t: &Target| json!({ "target": t.name, "about": t.about, "laws": t.laws() });
+        let rows: Vec<Value> = rows.iter().map(row).collect();
+        println!("{}", json!({ "schema": "delone.fuzz.targets/1", "targets": rows }));
+        return Ok(());
+    }
+    let line =
+        |t: &Target| format!("{:14} {}\n{:14}   {}\n", t.name, t.about, "", t.laws().join(", "));
+    output::print_bytes(rows.iter().map(line).collect::<String>().as_bytes())
+}
+
+/// The target whose laws an input is put under, if none is named.
+pub(crate) fn target_for(
+    name: Option<&str>,
+    input: &delone_laws::fuzz::Input,
+) -> Result<Target, Failure> {
+    let fitting = match input {
+        delone_laws::fuzz::Input::Space(_) => "delaunay-3d",
+        delone_laws::fuzz::Input::Plane(case) if case.segments.is_empty() => "delaunay-2d",
+        delone_laws::fuzz::Input::Plane(_) => "cdt",
+    };
+    let name = name.unwrap_or(fitting);
+    target(name).ok_or_else(|| Failure::input(format!("no target is called {name}")))
+}

@@ -1,0 +1,71 @@
+//! Inputs as files, and back.
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use delone_formats::{Document, Format, write};
+use delone_laws::case::Case;
+use delone_laws::fuzz::{Broken, Input};
+use delone_laws::generate::NAME;
+
+use crate::failure::Failure;
+use crate::output;
+
+/// The document of an input.
+pub(crate) fn document(input: &Input) -> Document {
+    match input {
+        Input::Plane(case) => Document {
+            points: case.points.as_flattened().to_vec(),
+            segments: case.segments.clone(),
+            ..Document::new(2)
+        },
+        Input::Space(case) => {
+            Document { points: case.points.as_flattened().to_vec(), ..Document::new(3) }
+        }
+    }
+}
+
+/// The input of a document; what it says beyond points and segments is not looked at.
+pub(crate) fn input(document: &Document) -> Result<Input, Failure> {
+    if let Some(x) = document.points.iter().find(|x| !x.is_finite()) {
+        return Err(Failure::input(format!("{}: a coordinate is {x}", document.name)));
+    }
+    if document.dimension == 3 {
+        let points = document.points_3d().map_err(Failure::input)?;
+        return Ok(Input::Space(Case::of_points(NAME, points)));
+    }
+    let points = document.points_2d().map_err(Failure::input)?;
+    Ok(Input::Plane(Case::new(NAME, points, document.segments.clone())))
+}
+
+/// `NAME.poly` if there are segments, else `NAME.node`.
+pub(crate) fn path(folder: &Path, name: &str, input: &Input) -> PathBuf {
+    folder.join(format!("{name}.{}", if input.segments() > 0 { "poly" } else { "node" }))
+}
+
+/// Writes an input under a header that names the law it breaks, as the folder of regressions has them.
+pub(crate) fn keep(path: &Path, input: &Input, broken: &Broken) -> Result<(), Failure> {
+    let format = if input.segments() > 0 { Format::Poly } else { Format::Node };
+    let said: Vec<&str> = broken.message.lines().filter(|line| !line.trim().is_empty()).collect();
+    let said = said.first().map_or("", |line| line.trim());
+    let mut bytes = format!("# law: {}\n# {}: {said}\n", broken.law, broken.place).into_bytes();
+    write(&document(input), format, &mut bytes).map_err(Failure::input)?;
+    if let Some(folder) = path.parent().filter(|folder| !folder.as_os_str().is_empty()) {
+        std::fs::create_dir_all(folder).map_err(Failure::input)?;
+    }
+    delone_formats::write_atomically(path, |out| out.write_all(&bytes))
+        .map_err(|error: std::io::Error| Failure::input(format!("{}: {error}", path.display())))
+}
+
+/// A file's one input.
+pub(crate) fn read(path: &Path) -> Result<Input, Failure> {
+    input(&crate::input::read(path, None)?)
+}
+
+/// Refuses, before any work is done, a folder that could not be made.
+pub(crate) fn check_folder(folder: &Path) -> Result<(), Failure> {
+    if folder.exists() && !folder.is_dir() {
+        return Err(Failure::input(format!("{}: this is no folder", folder.display())));
+    }
+    output::check_paths(folder.parent().filter(|parent| parent.is_file()))
+}

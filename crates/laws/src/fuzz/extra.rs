@@ -1,0 +1,117 @@
+//! Laws that only fuzzing asks for: of predicates, of crossing segments, of files; and the canary.
+
+use delone::cdt::{algorithms, cdt_of_arrangement};
+use delone::check::{Arranged, Level, Options, judge_arranged};
+use delone::formats::{Document, Format, Source, one, read_bytes, write};
+use delone::predicates::{Adaptive, Dyadic, Exact, ExactOver, Kernel, Naive, Sign};
+use delone::sites::{Arrangement, Noded};
+use delone::workloads::Rng;
+
+use crate::case::Case;
+use crate::id;
+use crate::judge::solid_cells;
+use crate::laws::Law;
+
+/// Simplices of a case that predicates are asked about.
+const SIMPLICES_MAX: usize = 40;
+
+/// Filters and integers say what numbers of any length say.
+pub(super) fn of_predicates<const D: usize>() -> Vec<Law<D>> {
+    vec![Law { name: "signs", hold: |case| agree(case, &Adaptive::new(&case.points[..])) }]
+}
+
+/// A law that does not hold: that doubles are enough. A fuzzer that does not break it is blind.
+pub(super) fn canary() -> Vec<Law<2>> {
+    vec![Law { name: "canary", hold: |case| agree(case, &Naive::new(&case.points[..])) }]
+}
+
+fn agree<const D: usize>(case: &Case<D>, kernel: &impl Kernel<D>) -> usize {
+    if case.points.len() < D + 2 {
+        return 0;
+    }
+    let fixed = Exact::new(&case.points[..]);
+    let any = ExactOver::<Dyadic, _>::new(&case.points[..]);
+    let mut rng = Rng::named("signs", 1);
+    for _ in 0..SIMPLICES_MAX {
+        let mut vertices: Vec<usize> = (0..case.points.len()).collect();
+        rng.shuffle(&mut vertices);
+        let (mut simplex, q) = (vertices[..=D].to_vec(), vertices[D + 1]);
+        let sign = any.orient(&simplex);
+        assert_eq!(fixed.orient(&simplex), sign, "{}: exact orient {simplex:?}", case.name);
+        assert_eq!(kernel.orient(&simplex), sign, "{}: orient {simplex:?}", case.name);
+        match sign {
+            Sign::Zero => continue,
+            Sign::Negative => simplex.swap(0, 1),
+            Sign::Positive => {}
+        }
+        let sign = any.lifted(&simplex, q);
+        assert_eq!(fixed.lifted(&simplex, q), sign, "{}: exact lifted {simplex:?}", case.name);
+        assert_eq!(kernel.lifted(&simplex, q), sign, "{}: lifted {simplex:?} {q}", case.name);
+    }
+    SIMPLICES_MAX
+}
+
+/// Segments that cross: every algorithm gives one triangulation, with every crossing a vertex, and the judge proves it.
+pub(super) fn of_crossings() -> Vec<Law<2>> {
+    vec![Law { name: "crossings", hold: crossings }]
+}
+
+fn crossings(case: &Case<2>) -> usize {
+    let segments: Vec<[usize; 2]> =
+        case.segments.iter().map(|ends| ends.map(|v| v as usize)).collect();
+    let graph = Arrangement::new(&case.points, &segments).expect("points are finite");
+    let first = cdt_of_arrangement(&graph, &mut ());
+    let count = graph.positions().len();
+    for algorithm in algorithms().iter().filter(|algorithm| count <= algorithm.sites_max) {
+        let other = (algorithm.run_crossed)(&graph, &mut ());
+        assert_eq!(other.canonical(), first.canonical(), "{}: {}", case.name, algorithm.name);
+        assert_eq!(other.constrained_edges(), graph.subsegments(), "{}", algorithm.name);
+    }
+    if first.mesh().dimension() == Some(2) {
+        let vertices: Vec<u32> = (0..id(count)).collect();
+        let arranged = Arranged {
+            points: graph.sites().points(),
+            crossings: graph.crossings(),
+            cells: &solid_cells(first.mesh(), &vertices),
+            segments: graph.segments(),
+            constrained: &first.constrained_edges(),
+        };
+        let verdict = judge_arranged(&arranged, &Options::default());
+        assert!(verdict.ok && verdict.level == Level::Constrained, "{}: {verdict}", case.name);
+    }
+    1 + count - graph.sites().len()
+}
+
+/// What is written is read again, bit for bit.
+pub(super) fn of_files() -> Vec<Law<2>> {
+    vec![Law { name: "round-trip", hold: round_trip }]
+}
+
+fn round_trip(case: &Case<2>) -> usize {
+    if case.points.is_empty() {
+        return 0; // a .poly file without points says that they are in another file
+    }
+    let document = Document {
+        points: case.points.as_flattened().to_vec(),
+        segments: case.segments.clone(),
+        ..Document::new(2)
+    };
+    let formats = [Format::Poly, Format::Lar, Format::Off];
+    for format in formats {
+        let mut bytes = Vec::new();
+        write(&document, format, &mut bytes).unwrap_or_else(|error| panic!("{format:?}: {error}"));
+        let source = Source { name: "", bytes: &bytes, format: Some(format), nodes: None };
+        let again = read_bytes(&source).and_then(|documents| one(documents, ""));
+        let again = again.unwrap_or_else(|error| panic!("{format:?}: {error}"));
+        let bits = |document: &Document| -> Vec<u64> {
+            document.points.iter().map(|x| x.to_bits()).collect()
+        };
+        if document.dimension == again.dimension {
+            assert_eq!(bits(&again), bits(&document), "{}: {format:?}", case.name);
+        }
+        if format != Format::Off {
+            assert_eq!(again.segments, document.segments, "{}: {format:?}", case.name);
+        }
+    }
+    formats.len()
+}
