@@ -1,6 +1,6 @@
 //! Laws that only fuzzing asks for: of predicates, of crossing segments, of files; and the canary.
 
-use delone::cdt::{algorithms, cdt_of_arrangement};
+use delone::cdt::{algorithms, cavity, cdt_of_arrangement, chew_from_points, from_points};
 use delone::check::{Arranged, Level, Options, judge_arranged};
 use delone::formats::{Document, Format, Source, one, read_bytes, write};
 use delone::predicates::{Adaptive, Dyadic, Exact, ExactOver, Kernel, Naive, Sign};
@@ -9,7 +9,7 @@ use delone::workloads::Rng;
 
 use crate::case::Case;
 use crate::id;
-use crate::judge::solid_cells;
+use crate::judge::{Rigour, accept_constrained, solid_cells};
 use crate::laws::Law;
 
 /// Simplices of a case that predicates are asked about.
@@ -49,6 +49,35 @@ fn agree<const D: usize>(case: &Case<D>, kernel: &impl Kernel<D>) -> usize {
         assert_eq!(kernel.lifted(&simplex, q), sign, "{}: lifted {simplex:?} {q}", case.name);
     }
     SIMPLICES_MAX
+}
+
+/// Segments that do not cross: every algorithm and door gives one triangulation, and the judge accepts it.
+pub(super) fn of_agreement() -> Vec<Law<2>> {
+    vec![Law { name: "one answer", hold: one_answer }]
+}
+
+/// The definition is tried on so many sites: it takes their cube in time.
+const NAIVE_MAX: usize = 9;
+
+fn one_answer(case: &Case<2>) -> usize {
+    let segments: Vec<[usize; 2]> =
+        case.segments.iter().map(|ends| ends.map(|v| v as usize)).collect();
+    let pslg = case.pslg();
+    let options = delone::delaunay::Options::default();
+    let first = cavity(&pslg, &options, &mut ());
+    accept_constrained(case, &pslg, &first, Rigour::Once);
+    let is_quick = |name: &str| name != "naive" || pslg.sites().len() <= NAIVE_MAX;
+    for algorithm in algorithms().iter().filter(|algorithm| is_quick(algorithm.name)) {
+        let other = (algorithm.run)(&pslg, &options);
+        assert_eq!(other.canonical(), first.canonical(), "{}: {}", case.name, algorithm.name);
+        assert_eq!(other.constrained_edges(), pslg.subsegments(), "{}", algorithm.name);
+    }
+    for way in [from_points, chew_from_points] {
+        let (noded, other) = way(&case.points, &segments, &mut ()).expect("no crossings");
+        assert_eq!(noded, pslg, "{}", case.name);
+        assert_eq!(other.canonical(), first.canonical(), "{}", case.name);
+    }
+    1
 }
 
 /// Segments that cross: every algorithm gives one triangulation, with every crossing a vertex, and the judge proves it.

@@ -178,6 +178,11 @@ pub fn targets() -> Vec<Target> {
             Kind::Plane(generate::graph, constrained_laws()),
         ),
         row(
+            "agreement",
+            "one triangulation by all CDT algorithms, judged: a law of \"cdt\", alone and quicker",
+            Kind::Plane(generate::graph, extra::of_agreement()),
+        ),
+        row(
             "crossings",
             "segments that cross, every crossing a vertex",
             Kind::Plane(generate::crossing, extra::of_crossings()),
