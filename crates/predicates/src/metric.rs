@@ -24,8 +24,8 @@ use crate::dyadic::nearest_ratio;
 use crate::formula::{Call, Formula, exactly};
 use crate::kernel::{Id, Kernel};
 use crate::ring::Homogeneous;
-use crate::{Approximate, Constructed, Dyadic, Weighted};
-use formulas::{Angles, Lengths, Radius, RadiusOver};
+use crate::{Approximate, Constructed, Dyadic, Sign, Weighted};
+use formulas::{Angles, Dot, Lengths, Radius, RadiusOver};
 
 pub(crate) use formulas::Radii;
 
@@ -56,6 +56,12 @@ pub trait Metric<const D: usize>: Kernel<D> {
     #[inline]
     fn weight_of<V: Id>(&self, _v: V) -> Option<f64> {
         None
+    }
+
+    /// The sign of `(b - a) . (d - c)`: positive if `d` is further than `c` in the direction from `a` to `b`. At one vertex,
+    /// `dot([z, p, z, q])` is positive for an acute angle, zero for a right one.
+    fn dot<V: Id>(&self, vertices: [V; 4]) -> Sign {
+        decided(self, &Dot, vertices.into_iter(), std::iter::empty())
     }
 
     /// Whether |ab| is less than, equal to or greater than |cd|.

@@ -68,3 +68,17 @@ fn quotients_are_those_of_doubles() {
         }
     }
 }
+
+#[test]
+fn powers_of_two_move_the_exponent() {
+    for x in [1.0, -0.75, 5e-324, f64::MAX, 0.1] {
+        let number = Dyadic::from(x);
+        assert_eq!(number.clone().scaled(7).scaled(-8), number.clone().half());
+        let top = number.magnitude().unwrap();
+        let one = Dyadic::from(1);
+        let size = if x < 0.0 { -number } else { number };
+        assert!(one.clone().scaled(top) <= size && size < one.scaled(top + 1), "{x}");
+    }
+    assert_eq!(Dyadic::ZERO.scaled(9), Dyadic::ZERO);
+    assert_eq!(Dyadic::ZERO.magnitude(), None);
+}
