@@ -143,7 +143,9 @@ fn read<'a>(conformed: &Conformed<'a>, report: &mut Report) -> Option<Scene<'a>>
             let known = ends.iter().all(|&end| (end as usize) < count);
             let ends_at = ends.map(|end| scene.at.get(end as usize).cloned());
             match (ends_at, parameter(mantissa, exponent)) {
-                ([Some(a), Some(b)], Some(t)) if known => scene.at[v as usize] = between(&a, &b, &t),
+                ([Some(a), Some(b)], Some(t)) if known => {
+                    scene.at[v as usize] = between(&a, &b, &t)
+                }
                 _ => {
                     let ends = scene.witnesses(&ends);
                     report.fault(Fault::OffSegment { point: v, ends });

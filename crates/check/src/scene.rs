@@ -44,10 +44,7 @@ impl Scene<'_> {
     }
 
     pub(crate) fn witness(&self, v: u32) -> Witness {
-        Witness {
-            id: v,
-            at: self.points.get(v as usize).map_or(Vec::new(), |p| p.to_vec()),
-        }
+        Witness { id: v, at: self.points.get(v as usize).map_or(Vec::new(), |p| p.to_vec()) }
     }
 
     pub(crate) fn witnesses(&self, ids: &[u32]) -> Vec<Witness> {
@@ -305,4 +302,3 @@ impl Scene<'_> {
         false
     }
 }
-

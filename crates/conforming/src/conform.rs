@@ -215,7 +215,8 @@ impl Along {
         let mut sorted: Vec<u32> = (0..count).collect();
         let ends = |&s: &u32| live.segments[s as usize];
         sorted.sort_by(|s, t| {
-            let compare = |u: u32, v: u32| live.kernel.compare_lexicographic(u as usize, v as usize);
+            let compare =
+                |u: u32, v: u32| live.kernel.compare_lexicographic(u as usize, v as usize);
             let ([a, b], [c, d]) = (ends(s), ends(t));
             compare(a, c).then_with(|| compare(b, d))
         });

@@ -42,7 +42,7 @@ pub use conform::{
     conform_by_protection,
 };
 pub use registry::{Method, methods};
-pub use result::{Conforming, OnSegment};
+pub use result::{Conforming, SteinerPoint};
 pub use split::Placement;
 
 #[cfg(test)]

@@ -3,8 +3,8 @@
 use delone_probe::Probe;
 use delone_sites::Pslg;
 
-use crate::conform::{ConformOptions, Encroached, Missing, conform, conform_by_protection};
 use crate::Conforming;
+use crate::conform::{ConformOptions, Encroached, Missing, conform, conform_by_protection};
 
 /// One method.
 #[derive(Clone, Copy, Debug)]

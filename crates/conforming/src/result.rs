@@ -8,13 +8,20 @@ use delone_sites::{Noded, Pslg};
 
 use crate::live::{Live, Steiner, id};
 
-/// A Steiner point on a segment: exactly `a + t (b - a)`.
+/// A vertex that was added.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct OnSegment {
-    /// The sites a and b: the ends of one of the PSLG's subsegments.
-    pub ends: [u32; 2],
-    /// The parameter, strictly between 0 and 1.
-    pub t: Dyadic,
+pub enum SteinerPoint {
+    /// On a subsegment of the PSLG: exactly `a + t (b - a)`.
+    On {
+        /// The subsegment, by index.
+        subsegment: u32,
+        /// The sites a and b, its ends.
+        ends: [u32; 2],
+        /// The parameter, strictly between 0 and 1.
+        t: Dyadic,
+    },
+    /// Between segments, at its position in doubles.
+    Free,
 }
 
 /// A triangulation of a PSLG with Steiner points: those after the sites.
@@ -23,8 +30,10 @@ pub struct Conforming {
     mesh: Mesh<2>,
     kernel: Constructed<2>,
     sites: usize,
-    steiner: Vec<OnSegment>,
+    steiner: Vec<SteinerPoint>,
     constrained: Vec<[u32; 2]>,
+    /// The subsegment of the graph that each of these is part of.
+    parents: Vec<u32>,
     is_complete: bool,
 }
 
@@ -32,17 +41,21 @@ impl Conforming {
     pub(crate) fn new(live: Live, is_complete: bool) -> Self {
         let on = |steiner: &Steiner| match steiner {
             Steiner::On { segment, t } => {
-                OnSegment { ends: live.segments[*segment as usize], t: t.clone() }
+                let ends = live.segments[*segment as usize];
+                SteinerPoint::On { subsegment: *segment, ends, t: t.clone() }
             }
-            Steiner::Free => unreachable!("all Steiner points of this kind are on segments"),
+            Steiner::Free => SteinerPoint::Free,
         };
         let steiner = live.steiner.iter().map(on).collect();
-        let constrained = live.pieces.iter().map(|piece| piece.ends.map(id));
-        let mut constrained: Vec<[u32; 2]> =
-            constrained.map(|[a, b]| [a.min(b), a.max(b)]).collect();
-        constrained.sort_unstable();
+        let named = live.pieces.iter().map(|piece| {
+            let [a, b] = piece.ends.map(id);
+            ([a.min(b), a.max(b)], piece.segment)
+        });
+        let mut named: Vec<([u32; 2], u32)> = named.collect();
+        named.sort_unstable();
+        let (constrained, parents) = named.into_iter().unzip();
         let Live { mesh, kernel, sites, .. } = live;
-        Self { mesh, kernel, sites, steiner, constrained, is_complete }
+        Self { mesh, kernel, sites, steiner, constrained, parents, is_complete }
     }
 
     /// Of sites in line.
@@ -53,6 +66,7 @@ impl Conforming {
             sites: pslg.sites().len(),
             steiner: Vec::new(),
             constrained: cdt.constrained_edges(),
+            parents: (0u32..).take(pslg.subsegments().len()).collect(),
             is_complete: true,
         }
     }
@@ -83,7 +97,7 @@ impl Conforming {
 
     /// The Steiner points, in the order in which they were added.
     #[must_use]
-    pub fn steiner_points(&self) -> &[OnSegment] {
+    pub fn steiner_points(&self) -> &[SteinerPoint] {
         &self.steiner
     }
 
@@ -103,6 +117,13 @@ impl Conforming {
     #[must_use]
     pub fn constrained_edges(&self) -> &[[u32; 2]] {
         &self.constrained
+    }
+
+    /// For each of [`Conforming::constrained_edges`] the subsegment of the PSLG that it is part of: with its chains, the way to
+    /// the input segments and whatever they carry.
+    #[must_use]
+    pub fn parents(&self) -> &[u32] {
+        &self.parents
     }
 
     /// Whether the edge of `h` is a subsegment.
@@ -128,9 +149,7 @@ impl Conforming {
     pub fn fingerprint(&self) -> Fingerprint {
         let count = u32::try_from(self.kernel.len()).expect("vertices are fewer than ids");
         let mut sorted: Vec<u32> = (0..count).collect();
-        sorted.sort_unstable_by(|&u, &v| {
-            self.kernel.compare_lexicographic(u as usize, v as usize)
-        });
+        sorted.sort_unstable_by(|&u, &v| self.kernel.compare_lexicographic(u as usize, v as usize));
         let mut ranks = vec![0; sorted.len()];
         let mut hash = Fingerprint::new();
         for (rank, &v) in (0u32..).zip(&sorted) {

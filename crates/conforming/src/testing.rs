@@ -6,7 +6,7 @@ use delone_check::{
 };
 use delone_sites::Pslg;
 
-use crate::Conforming;
+use crate::{Conforming, SteinerPoint as Added};
 
 pub(crate) fn pslg(points: &[[f64; 2]], segments: &[[usize; 2]]) -> Pslg {
     Pslg::new(points, segments).unwrap_or_else(|error| panic!("{error}"))
@@ -26,10 +26,12 @@ pub(crate) fn judged(pslg: &Pslg, conforming: &Conforming, promise: Promise) -> 
         let flags = conforming.constrained_edges();
         return judge_constrained(&complex, pslg.segments(), flags, &Options::default());
     }
-    let on = conforming.steiner_points().iter().map(|point| SteinerPoint::On {
-        ends: point.ends,
-        mantissa: point.t.mantissa(),
-        exponent: point.t.exponent(),
+    let sites = pslg.sites().len();
+    let on = conforming.steiner_points().iter().enumerate().map(|(i, point)| match point {
+        Added::On { ends, t, .. } => {
+            SteinerPoint::On { ends: *ends, mantissa: t.mantissa(), exponent: t.exponent() }
+        }
+        Added::Free => SteinerPoint::At(conforming.positions()[sites + i]),
     });
     let steiner: Vec<SteinerPoint<'_>> = on.collect();
     let conformed = Conformed {

@@ -3,6 +3,7 @@
 mod check;
 mod classroom;
 mod compare;
+mod conform;
 mod convert;
 mod draw;
 mod generate;
@@ -19,6 +20,7 @@ pub(crate) fn run(command: &Command) -> Result<(), Failure> {
         Command::Compare(arguments) => compare::compare(arguments),
         Command::Delaunay(arguments) => triangulate::delaunay(arguments),
         Command::Cdt(arguments) => triangulate::cdt(arguments),
+        Command::Conform(arguments) => conform::conform(arguments),
         Command::Triangulate2d(arguments) => triangulate2d::triangulate2d(arguments),
         Command::Check(arguments) => check::check(arguments),
         Command::Gen(arguments) => generate::generate(arguments),

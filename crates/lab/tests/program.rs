@@ -1,6 +1,8 @@
 //! The program as a user runs it: what it prints, writes, refuses, and how it exits.
 #![expect(clippy::unwrap_used, reason = "tests")]
 
+#[path = "program/steiner.rs"]
+mod steiner;
 #[path = "program/weights.rs"]
 mod weights;
 
@@ -346,6 +348,7 @@ fn figures_are_drawn() {
         assert_eq!(status, 0, "{error}");
         assert!(roxmltree::Document::parse(&svg).is_ok());
         let panels = svg.contains("Delaunay: 1 of 1 subsegments missing")
+            && svg.contains("conforming Delaunay: 1 Steiner points")
             && svg.contains("1 edges not Delaunay");
         assert_eq!(panels, words.contains(&"--panels"));
     }

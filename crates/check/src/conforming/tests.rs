@@ -24,11 +24,7 @@ fn judged(spoil: impl FnOnce(&mut Data)) -> Verdict {
         promise: Promise::EmptyDisks,
     };
     spoil(&mut data);
-    let on = SteinerPoint::On {
-        ends: [0, 2],
-        mantissa: &data.mantissa,
-        exponent: data.exponent,
-    };
+    let on = SteinerPoint::On { ends: [0, 2], mantissa: &data.mantissa, exponent: data.exponent };
     let steiner = [data.free.map_or(on, SteinerPoint::At)];
     let conformed = Conformed {
         points: &data.points,
