@@ -32,6 +32,7 @@ mod apexes;
 mod conform;
 mod live;
 mod ratio;
+mod refine;
 mod registry;
 mod result;
 mod saalfeld;
@@ -40,6 +41,9 @@ mod split;
 pub use conform::{
     ConformOptions, Criterion, Encroached, Limits, Missing, Subsegment, conform,
     conform_by_protection,
+};
+pub use refine::{
+    Centre, Encroachment, LeftAlone, Reason, RefineOptions, Refined, SizeField, refine,
 };
 pub use registry::{Method, methods};
 pub use result::{Conforming, SteinerPoint};

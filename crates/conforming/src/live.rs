@@ -12,8 +12,7 @@
 //! visibility.
 //! **In.** The CDT of a noded PSLG. **Out.** The CDT of its vertices and the Steiner points, its segments in pieces.
 //! **Invariants.** 1. After each point the mesh is the CDT. 2. A point on a subsegment is exactly on its line, and between its
-//! ends: parameters are strictly between. 3. Each piece knows one of its half-edges, and both of these know the piece. 4. No
-//! slot of a cell is left empty.
+//! ends: parameters are strictly between. 3. Each piece knows one of its half-edges, and both of these know the piece.
 //! **Cost.** O(1) for each cell that changes. Nothing is allocated but cells.
 //!
 //! **Degeneracies.**
@@ -32,11 +31,18 @@ use delone_sites::{Noded, Pslg};
 #[cfg(test)]
 mod tests;
 
+mod free;
+
+pub(crate) use free::{Place, Region};
+
 /// The number of a piece.
 pub(crate) type PieceId = u32;
 
 /// No piece.
 const NONE: PieceId = u32::MAX;
+
+/// The region of a cell that is none.
+const RETIRED: u32 = u32::MAX;
 
 /// A subsegment: a piece of a segment, which is an edge of the mesh.
 #[derive(Clone, Copy, Debug)]
@@ -72,8 +78,14 @@ pub(crate) struct Live {
     pub(crate) pieces: Vec<Piece>,
     /// By half-edge.
     piece_at: Vec<PieceId>,
+    /// By cell: the region that it is in.
+    pub(crate) region_at: Vec<u32>,
     /// Half-edges opposite the new vertex.
     stack: Vec<HalfEdge>,
+    /// The hole that a vertex leaves.
+    polygon: Vec<free::Corner>,
+    /// The cells in the place of the last vertex that went.
+    pub(crate) made: Vec<CellId>,
 }
 
 impl Live {
@@ -101,6 +113,7 @@ impl Live {
             half: half.expect("each subsegment is an edge of the CDT"),
         });
         let pieces = pieces.collect();
+        let region_at = vec![0; mesh.cell_count()];
         let (sites, kernel) = (graph.sites().len(), graph.kernel());
         Self {
             mesh,
@@ -111,7 +124,10 @@ impl Live {
             steiner: Vec::new(),
             pieces,
             piece_at,
+            region_at,
             stack: Vec::new(),
+            polygon: Vec::new(),
+            made: Vec::new(),
         }
     }
 
@@ -120,6 +136,11 @@ impl Live {
     pub(crate) fn piece_of(&self, h: HalfEdge) -> Option<PieceId> {
         let piece = self.piece_at[h.index()];
         (piece != NONE).then_some(piece)
+    }
+
+    /// The first half-edge of the ring of a vertex, from a cell that has it.
+    pub(crate) fn ring_start(&self, v: VertexId, cell: CellId) -> HalfEdge {
+        HalfEdge::new(cell, (self.mesh.corner_of(cell, v) + 2) % 3)
     }
 
     /// The half-edge of a piece in the direction of its segment.
@@ -134,9 +155,10 @@ impl Live {
         [h, self.mesh.twin(h)].map(|h| self.mesh.apex(h)).into_iter().filter(|v| !v.is_ghost())
     }
 
-    /// The Steiner point that a vertex is.
+    /// The Steiner point that a vertex is, if it is one.
     pub(crate) fn steiner_of(&self, v: VertexId) -> Option<&Steiner> {
-        v.index().checked_sub(self.sites).map(|place| &self.steiner[place])
+        let place = v.index().checked_sub(self.sites)?;
+        self.steiner.get(place) // the ghost is none
     }
 
     /// The parameters of a piece's ends on its segment.
@@ -197,10 +219,13 @@ impl Live {
         let (a, b, c, d) = (mesh.origin(h), mesh.destination(h), mesh.apex(h), mesh.apex(t));
         let rim = [mesh.next(h), mesh.prev(h), mesh.next(t), mesh.prev(t)]; // bc, ca, ad, db
         let outside = rim.map(|inside| (mesh.twin(inside), self.piece_at[inside.index()]));
-        self.mesh.retire(h.cell());
-        self.mesh.retire(t.cell());
+        let [left, right] = [h, t].map(|h| self.region_at[h.cell().index()]);
+        self.retire(h.cell());
+        self.retire(t.cell());
         // Each with p first: facet 0 is opposite p.
-        let around = [[p, b, c], [p, c, a], [p, a, d], [p, d, b]].map(|corners| self.add(corners));
+        let around = [[p, b, c], [p, c, a], [p, a, d], [p, d, b]];
+        let regions = [left, left, right, right];
+        let around = [0, 1, 2, 3].map(|i| self.add(around[i], regions[i]));
         for (place, (outside, piece)) in outside.into_iter().enumerate() {
             let (cell, next) = (around[place], around[(place + 1) % 4]);
             let inside = HalfEdge::new(cell, 0);
@@ -211,13 +236,25 @@ impl Live {
         }
     }
 
-    /// A new cell, its edges free.
-    fn add(&mut self, corners: [VertexId; 3]) -> CellId {
+    fn retire(&mut self, cell: CellId) {
+        self.mesh.retire(cell);
+        self.region_at[cell.index()] = RETIRED;
+    }
+
+    /// Whether a cell is one of these corners. Its slot may be that of another by now, or of none.
+    pub(crate) fn is_still(&self, cell: CellId, corners: [VertexId; 3]) -> bool {
+        self.region_at[cell.index()] != RETIRED && self.mesh.corners(cell) == corners
+    }
+
+    /// A new cell in a region, its edges free.
+    fn add(&mut self, corners: [VertexId; 3], region: u32) -> CellId {
         let cell = self.mesh.add_cell(&corners);
-        let end = 3 * cell.index() + 3;
-        if self.piece_at.len() < end {
-            self.piece_at.resize(end, NONE);
+        let count = self.mesh.cell_count();
+        if self.region_at.len() < count {
+            self.piece_at.resize(3 * count, NONE);
+            self.region_at.resize(count, 0);
         }
+        self.region_at[cell.index()] = region;
         cell
     }
 

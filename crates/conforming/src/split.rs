@@ -43,11 +43,14 @@ pub struct Placement {
     /// Whether points are placed as far from an apex as those that encroach: see the module's text. Without, fans of segments
     /// of different lengths take many more.
     pub copies_radii: bool,
+    /// Whether a subsegment that touches an apex is split on a shell whatever encroaches: so that the shells of a cluster fit, which
+    /// refinement relies on. Else that is done only if what encroaches is of the cluster.
+    pub always_shells: bool,
 }
 
 impl Default for Placement {
     fn default() -> Self {
-        Self { copies_radii: true }
+        Self { copies_radii: true, always_shells: false }
     }
 }
 
@@ -80,12 +83,13 @@ pub(crate) fn parameter(
         let Some(bits) = apexes.bits(apex) else { continue };
         let radii = encroachers.iter().filter_map(|&v| squared_radius(live, segment, apex, v));
         let radii: Vec<Dyadic> = radii.collect();
-        if radii.is_empty() {
+        let touches = ends[z] == apex;
+        if radii.is_empty() && !(touches && placement.always_shells) {
             continue;
         }
         let square = live.squared_length(segment);
         let from_apex = |t: Dyadic| if z == 0 { t } else { Dyadic::from(1) - t };
-        if ends[z] == apex {
+        if touches {
             let length = t1 - &t0;
             return from_apex(root(&shell(&(&(&length * &length) * &square)), &square, bits));
         }
@@ -104,7 +108,12 @@ pub(crate) fn parameter(
 }
 
 /// The squared distance from the apex z, an end of `segment`, of a vertex on another segment of z.
-fn squared_radius(live: &Live, segment: u32, z: VertexId, v: VertexId) -> Option<Dyadic> {
+pub(crate) fn squared_radius(
+    live: &Live,
+    segment: u32,
+    z: VertexId,
+    v: VertexId,
+) -> Option<Dyadic> {
     match live.steiner_of(v) {
         Some(&Steiner::On { segment: other, ref t }) => {
             let [a, b] = live.segments[other as usize];

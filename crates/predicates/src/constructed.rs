@@ -163,6 +163,18 @@ impl<const D: usize> Constructed<D> {
         id.expect("fewer than 2^32 - 1 points")
     }
 
+    /// Takes the last vertex away; whether there was one. The static bounds stay those of all that came.
+    pub fn pop(&mut self) -> bool {
+        if self.positions.pop().is_none() {
+            return false;
+        }
+        if self.places.pop().is_some_and(|place| place != PLAIN) {
+            self.values.pop();
+        }
+        self.exact_below = self.exact_below.min(self.positions.len());
+        true
+    }
+
     /// Moves `exact_below` over vertices that are exact: each once in all.
     fn grow_exact(&mut self) {
         while self.exact_below < self.positions.len() && !self.is_rounded(self.exact_below) {

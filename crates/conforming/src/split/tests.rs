@@ -6,7 +6,7 @@ use crate::testing::{judged, pslg};
 use crate::{ConformOptions, Conforming, Encroached, Limits, Missing, conform};
 
 fn gabriel(graph: &Pslg, copies_radii: bool, vertices_max: usize) -> Conforming {
-    let placement = Placement { copies_radii };
+    let placement = Placement { copies_radii, ..Placement::default() };
     let options = ConformOptions { placement, limits: Limits { vertices_max } };
     conform(graph, &Encroached, &options, &mut ())
 }

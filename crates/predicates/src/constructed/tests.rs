@@ -120,6 +120,26 @@ fn parameters_may_be_halved_at_will() {
 }
 
 #[test]
+fn the_last_vertex_can_be_taken_away() {
+    let mut kernel = Constructed::new(vec![[0.0, 0.0], [5.0, 1.0], [0.0, 2.0], [2.0, 0.0]]);
+    let before = kernel.clone();
+    let third = Construction::SegmentPoint { a: 1, b: 2, t: (1.0 / 3.0).into() };
+    for _ in 0..2 {
+        assert_eq!(kernel.push(&third), Ok(4));
+        assert_eq!(kernel.orient(&[1usize, 2, 4]), Sign::Zero);
+        assert!(!kernel.is_exact_position(4));
+        assert!(kernel.pop());
+        assert_eq!(kernel.push_plain([1.0, 1.0]), 4, "its id is free again");
+        assert_eq!(kernel.orient(&[1usize, 2, 4]), Sign::Positive);
+        assert!(kernel.is_exact_position(4) && kernel.is_plain(4));
+        assert!(kernel.pop());
+    }
+    assert_eq!(kernel.positions(), before.positions());
+    (0..4).for_each(|_| assert!(kernel.pop()));
+    assert!(!kernel.pop() && kernel.is_empty());
+}
+
+#[test]
 fn a_reordered_kernel_has_the_same_vertices() {
     let mut kernel = Constructed::new(vec![[0.0, 0.0], [4.0, 1.0], [0.0, 2.0], [2.0, 0.0]]);
     let crossed = kernel.push(&crossing(0, 1, 2, 3)).unwrap();

@@ -1,0 +1,34 @@
+//! Triangles that do not keep the bounds, those with the shortest edge first.
+
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
+use delone_mesh::{CellId, VertexId};
+
+/// A triangle as it was when it was queued.
+type Entry = (CellId, [VertexId; 3]);
+
+/// See the module's text.
+#[derive(Debug, Default)]
+pub(super) struct Queue {
+    heap: BinaryHeap<Reverse<(u64, u32, Entry)>>,
+    /// Entries so far, which tell equal keys apart.
+    count: u32,
+}
+
+impl Queue {
+    /// Queues a triangle with that squared length of its shortest edge.
+    pub(super) fn push(&mut self, shortest: f64, cell: CellId, corners: [VertexId; 3]) {
+        self.count = self.count.wrapping_add(1);
+        // The bits of doubles that are not negative are in their order.
+        self.heap.push(Reverse((shortest.to_bits(), self.count, (cell, corners))));
+    }
+
+    pub(super) fn pop(&mut self) -> Option<Entry> {
+        self.heap.pop().map(|Reverse((_, _, entry))| entry)
+    }
+
+    pub(super) fn is_empty(&self) -> bool {
+        self.heap.is_empty()
+    }
+}
