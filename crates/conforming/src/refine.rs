@@ -224,7 +224,7 @@ impl Work<'_> {
             return;
         }
         let corners = corners(&self.live, cell);
-        let (flaw, shortest) = self.quality.flaw(&self.live, corners);
+        let (flaw, urgency) = self.quality.flaw(&self.live, corners);
         if flaw == Flaw::None {
             return;
         }
@@ -234,7 +234,7 @@ impl Work<'_> {
             self.left_alone.push((corners, Reason::InputAngle));
             return;
         }
-        self.triangles.push(shortest, cell, corners);
+        self.triangles.push(urgency, cell, corners);
     }
 
     /// Whether an apex inside encroaches upon a piece.
@@ -343,8 +343,8 @@ impl Work<'_> {
         for &piece in &self.region.pieces {
             self.pieces.push_back((piece, Some(self.live.pieces[piece as usize].ends)));
         }
-        let (_, shortest) = self.quality.flaw(&self.live, corners);
-        self.triangles.push(shortest, cell, corners);
+        let (_, urgency) = self.quality.flaw(&self.live, corners);
+        self.triangles.push(urgency, cell, corners);
     }
 }
 

@@ -54,8 +54,8 @@ impl<'a> Quality<'a> {
         }
     }
 
-    /// What is wrong, and the squared length of the shortest edge.
-    pub(super) fn flaw(&self, live: &Live, corners: [VertexId; 3]) -> (Flaw, f64) {
+    /// What is wrong, and how urgent that is: less is more.
+    pub(super) fn flaw(&self, live: &Live, corners: [VertexId; 3]) -> (Flaw, u64) {
         let [p, q, r] = from_shortest(live, corners);
         let [a, b, c] = [p, q, r].map(|v| live.kernel.position(id(v)));
         let (u, v) = (minus(a, c), minus(b, c));
@@ -69,6 +69,7 @@ impl<'a> Quality<'a> {
             slack += 32.0 * f64::EPSILON * far / shortest.sqrt();
         }
         let is_clear = (left - right).abs() > slack * uu * vv && slack < 0.01 && right.is_normal();
+        let urgency = urgency(shortest, (uu * vv / (uv * uv) - 1.0).max(0.0));
         let is_skinny = if is_clear {
             left > right && uv > 0.0
         } else {
@@ -76,18 +77,18 @@ impl<'a> Quality<'a> {
             [[p, q, r], [q, r, p], [r, p, q]].into_iter().any(|at| self.is_skinny(at, live))
         };
         if is_skinny {
-            return (Flaw::Skinny, shortest);
+            return (Flaw::Skinny, urgency);
         }
         let area = 0.5 * (u[0] * v[1] - u[1] * v[0]).abs();
         if area > self.area_max {
-            return (Flaw::Large, shortest);
+            return (Flaw::Large, urgency);
         }
         let is_long = self.size.is_some_and(|size| {
             let third = |axis: usize| (a[axis] + b[axis] + c[axis]) / 3.0;
             let longest = uu.max(vv).max(shortest);
             longest.sqrt() > size([third(0), third(1)])
         });
-        (if is_long { Flaw::Large } else { Flaw::None }, shortest)
+        (if is_long { Flaw::Large } else { Flaw::None }, urgency)
     }
 
     /// Whether the angle at the last corner is less than the bound, exactly.
@@ -144,6 +145,13 @@ impl<'a> Quality<'a> {
             _ => false,
         }
     }
+}
+
+/// Short edges first, up to a factor of two of their squares; among those, small angles first, by their squared tangent. Either
+/// alone takes more vertices: the first on curves, the second where edges of all lengths meet.
+fn urgency(shortest: f64, tangent_square: f64) -> u64 {
+    // The bits of doubles that are not negative are in their order; the exponent is above 52 of mantissa.
+    shortest.to_bits() >> 52 << 52 | tangent_square.to_bits() >> 12
 }
 
 /// Whether a vertex is as far from an apex of a segment as the point of that parameter, on another segment of it.

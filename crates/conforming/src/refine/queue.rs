@@ -1,4 +1,4 @@
-//! Triangles that do not keep the bounds, those with the shortest edge first.
+//! Triangles that do not keep the bounds, by urgency.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -17,11 +17,10 @@ pub(super) struct Queue {
 }
 
 impl Queue {
-    /// Queues a triangle with that squared length of its shortest edge.
-    pub(super) fn push(&mut self, shortest: f64, cell: CellId, corners: [VertexId; 3]) {
+    /// Queues a triangle: less is more urgent.
+    pub(super) fn push(&mut self, urgency: u64, cell: CellId, corners: [VertexId; 3]) {
         self.count = self.count.wrapping_add(1);
-        // The bits of doubles that are not negative are in their order.
-        self.heap.push(Reverse((shortest.to_bits(), self.count, (cell, corners))));
+        self.heap.push(Reverse((urgency, self.count, (cell, corners))));
     }
 
     pub(super) fn pop(&mut self) -> Option<Entry> {
