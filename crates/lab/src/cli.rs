@@ -7,7 +7,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
-pub(crate) use steiner::Conform;
+pub(crate) use steiner::{Conform, Refine, Refinement};
 
 #[derive(Parser)]
 #[command(
@@ -39,6 +39,8 @@ pub(crate) enum Command {
     Cdt(Cdt),
     /// Conforming Delaunay triangulation: Steiner points on segments until each is a chain of Delaunay edges
     Conform(Conform),
+    /// Quality refinement: Steiner points until no triangle inside has a small angle or is too large
+    Refine(Refine),
     /// Triangulate the inside of a soup of boundary edges, holes unknown
     #[command(name = "triangulate2d")]
     Triangulate2d(Triangulate2d),

@@ -8,6 +8,7 @@ mod convert;
 mod draw;
 mod generate;
 mod meta;
+mod refine;
 mod triangulate;
 mod triangulate2d;
 
@@ -21,6 +22,7 @@ pub(crate) fn run(command: &Command) -> Result<(), Failure> {
         Command::Delaunay(arguments) => triangulate::delaunay(arguments),
         Command::Cdt(arguments) => triangulate::cdt(arguments),
         Command::Conform(arguments) => conform::conform(arguments),
+        Command::Refine(arguments) => refine::refine(arguments),
         Command::Triangulate2d(arguments) => triangulate2d::triangulate2d(arguments),
         Command::Check(arguments) => check::check(arguments),
         Command::Gen(arguments) => generate::generate(arguments),

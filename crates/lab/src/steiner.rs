@@ -1,7 +1,7 @@
 //! Results with Steiner points: as documents, in keys, and what the judge says of them.
 
 use delone_check::{Promise, Verdict};
-use delone_conforming::{Conforming, SteinerPoint};
+use delone_conforming::{Conforming, Refined, SteinerPoint};
 use delone_formats::Document;
 use delone_sites::{Noded, Pslg};
 use serde_json::{Map, Value, json};
@@ -15,6 +15,8 @@ pub(crate) struct Result<'a> {
     pub(crate) subject: &'a Subject,
     pub(crate) pslg: &'a Pslg,
     pub(crate) conforming: &'a Conforming,
+    /// If not all of it is inside.
+    pub(crate) inside: Option<&'a Refined>,
 }
 
 /// The graph of a subject that is one.
@@ -53,9 +55,9 @@ impl Result<'_> {
 
     /// The input with the Steiner points after its own, the cells as faces and the subsegments as segments. A subsegment has
     /// the marker of the first segment that it is part of, and so have the Steiner points on it; their attributes are
-    /// interpolated between its ends.
+    /// interpolated between its ends. Free points have the marker 0 and attributes 0.
     pub(crate) fn document(&self) -> Document {
-        let Self { subject, pslg, conforming } = self;
+        let Self { subject, pslg, conforming, inside } = self;
         let mut document = subject.document.clone();
         let (names, sites) = (self.names(), pslg.sites().len());
         document.points.extend(conforming.positions()[sites..].as_flattened());
@@ -74,8 +76,10 @@ impl Result<'_> {
         (document.cell_attributes, document.attributes_per_cell) = Default::default();
         if conforming.mesh().dimension() == Some(2) {
             let cells = judge::solid_ids(conforming.mesh());
-            let cells = cells.as_chunks::<3>().0.iter();
-            document.triangles = cells.map(|cell| cell.map(|v| names[v as usize])).collect();
+            let is_inside = conforming.cells().map(|c| inside.is_none_or(|all| all.is_inside(c)));
+            let cells =
+                cells.as_chunks::<3>().0.iter().zip(is_inside).filter(|&(_, inside)| inside);
+            document.triangles = cells.map(|(cell, _)| cell.map(|v| names[v as usize])).collect();
         }
         document
     }

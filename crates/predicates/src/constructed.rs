@@ -44,6 +44,7 @@ use smallvec::SmallVec;
 
 mod construction;
 mod extent;
+mod local;
 #[cfg(test)]
 mod tests;
 
@@ -363,6 +364,26 @@ impl<const D: usize> Kernel<D> for Constructed<D> {
 
 /// Calls on vertices of which some may be rounded.
 impl<const D: usize> Constructed<D> {
+    /// The filter by the call's own differences, in the plane.
+    #[inline]
+    fn orient_locally<V: Id>(&self, simplex: &[V]) -> Option<(Sign, Stage)> {
+        let sign = match *simplex {
+            [a, b, c] if D == 2 => local::orient2d(at(&self.positions, [a, b, c])),
+            _ => None,
+        };
+        sign.map(|sign| (sign, Stage::DynamicFilter))
+    }
+
+    /// The same.
+    #[inline]
+    fn lifted_locally<V: Id>(&self, simplex: &[V], q: V) -> Option<(Sign, Stage)> {
+        let sign = match *simplex {
+            [a, b, c] if D == 2 => local::in_circle(at(&self.positions, [a, b, c, q])),
+            _ => None,
+        };
+        sign.map(|sign| (sign, Stage::DynamicFilter))
+    }
+
     #[inline]
     fn orient_mixed<V: Id>(&self, simplex: &[V]) -> (Sign, Stage) {
         let value = match *simplex {
@@ -377,7 +398,8 @@ impl<const D: usize> Constructed<D> {
             if self.all_exact(simplex.iter().copied()) {
                 self.nearest().orient_staged(simplex)
             } else {
-                self.orient_by_ring(&all_axes::<D>(), simplex)
+                let locally = self.orient_locally(simplex);
+                locally.unwrap_or_else(|| self.orient_by_ring(&all_axes::<D>(), simplex))
             }
         })
     }
@@ -393,7 +415,8 @@ impl<const D: usize> Constructed<D> {
             if self.all_exact(simplex.iter().copied().chain([q])) {
                 self.nearest().lifted_staged(simplex, q)
             } else {
-                self.lifted_by_ring(&all_axes::<D>(), simplex, q)
+                let locally = self.lifted_locally(simplex, q);
+                locally.unwrap_or_else(|| self.lifted_by_ring(&all_axes::<D>(), simplex, q))
             }
         })
     }

@@ -22,13 +22,6 @@ fn refined(graph: &Pslg, angle_deg_min: f64, area_max: f64) -> Vec<Refined> {
             let refined = refine(graph, &Fill::Exterior, &options, &mut ()).unwrap();
             let verdict = judged(graph, refined.triangulation(), Promise::Constrained);
             assert!(verdict.ok, "{centre:?} {encroachment:?}: {verdict}");
-            println!(
-                "{centre:?} {encroachment:?}: {} vertices, {} left alone, {} {}",
-                refined.triangulation().kernel().len(),
-                refined.left_alone().len(),
-                refined.angle_deg_min(),
-                refined.angle_deg_min_elsewhere(),
-            );
             assert!(refined.is_complete(), "{centre:?} {encroachment:?}");
             assert!(refined.angle_deg_min_elsewhere() >= angle_deg_min - 1e-9);
             refined
@@ -78,7 +71,9 @@ fn doubles_too_coarse_are_reported() {
     let graph = polygon(&[[1.0, 1.0], [x, 1.0], [x, 1.0 + 64.0 * f64::EPSILON]]);
     let options = RefineOptions { angle_deg_min: 30.0, ..RefineOptions::default() };
     let refined = refine(&graph, &Fill::Exterior, &options, &mut ()).unwrap();
-    println!("{:?}", refined.left_alone());
+    assert!(refined.is_complete() && !refined.left_alone().is_empty());
+    let verdict = judged(&graph, refined.triangulation(), Promise::Constrained);
+    assert!(verdict.ok, "{verdict}");
 }
 
 /// Vertices come and go; the mesh stays the CDT, and pieces know their edges.

@@ -37,7 +37,7 @@ pub(crate) fn conform(arguments: &cli::Conform) -> Result<(), Failure> {
     let conforming = (method.run)(pslg, &options, &mut Watch::start(listener, limit));
     seconds.build = clock.elapsed().as_secs_f64();
     progress.finish();
-    let result = steiner::Result { subject: &subject, pslg, conforming: &conforming };
+    let result = steiner::Result { subject: &subject, pslg, conforming: &conforming, inside: None };
     let promise = if method.empties_disks { Promise::EmptyDisks } else { Promise::Conforming };
     let clock = Instant::now();
     let verdict = report.check.then(|| result.verdict(promise));

@@ -63,3 +63,43 @@ fn markers_and_attributes_are_carried() {
     assert_eq!(rows[6], ["2", "1"], "{text}");
     assert_eq!([rows[7][3], rows[8][3]], ["7", "7"], "{text}");
 }
+
+/// A rectangle with a thin slit of a hole.
+const HOLED: &str = "8 2 0 0\n1 0 0\n2 40 0\n3 40 20\n4 0 20\n5 10 9\n6 30 9\n7 30 10\n8 10 10\n8 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n\
+                     5 5 6\n6 6 7\n7 7 8\n8 8 5\n0\n";
+
+#[test]
+fn refine_tells_the_keys_of_the_contract() {
+    let folder = folder();
+    std::fs::write(folder.path().join("holed.poly"), HOLED).unwrap();
+    std::fs::write(folder.path().join("sizes.txt"), "0, 0, 1\n40 20 9 # far\n").unwrap();
+    let refined = |words: &[&str]| -> Value {
+        let words = [&["refine", "holed.poly", "--json", "--check"], words].concat();
+        let (status, out, error) = run(folder.path(), &words);
+        assert_eq!(status, 0, "{error}");
+        serde_json::from_str(&out).unwrap()
+    };
+    let mut counts = Vec::new();
+    for method in ["off-centre", "chew", "ruppert"] {
+        let object = refined(&["--method", method, "--angle-min", "28", "--fill", "nesting"]);
+        assert_eq!(
+            (&object["schema"], &object["algorithm"]),
+            (&"delone.refine/1".into(), &method.into())
+        );
+        assert_eq!((&object["check"]["ok"], &object["complete"]), (&true.into(), &true.into()));
+        assert!(object["angle_deg_min"].as_f64().unwrap() >= 28.0 - 1e-9, "{object}");
+        assert_eq!(object["left_alone"], Value::Array(Vec::new()));
+        assert_eq!(object["vertices"].as_u64().unwrap(), 8 + object["steiner"].as_u64().unwrap());
+        counts.push(object["cells_inside"].as_u64().unwrap());
+    }
+    // Bounds on size take more.
+    let fine = refined(&["--area-max", "2", "--fill", "nesting"]);
+    assert!(fine["cells_inside"].as_u64().unwrap() >= 390, "an area of 780 by 2");
+    let graded = refined(&["--size", "sizes.txt"]);
+    assert!(graded["cells_inside"].as_u64().unwrap() > counts[0]);
+    for words in [["--angle-min", "60"], ["--area-max", "-1"], ["--size", "none"], ["--size", "0"]]
+    {
+        let words = [&["refine", "holed.poly"][..], &words[..]].concat();
+        assert_eq!(run(folder.path(), &words).0, 2, "{words:?}");
+    }
+}
