@@ -384,6 +384,12 @@ impl<const D: usize> Constructed<D> {
         sign.map(|sign| (sign, Stage::DynamicFilter))
     }
 
+    /// The same of a scalar product.
+    #[inline]
+    pub(crate) fn dot_locally<V: Id>(&self, vertices: [V; 4]) -> Option<Sign> {
+        if D == 2 { local::dot(at(&self.positions, vertices)) } else { None }
+    }
+
     #[inline]
     fn orient_mixed<V: Id>(&self, simplex: &[V]) -> (Sign, Stage) {
         let value = match *simplex {

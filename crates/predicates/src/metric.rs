@@ -179,6 +179,11 @@ impl<const D: usize, P: AsRef<[[f64; D]]>, W: AsRef<[f64]>> Metric<D> for Weight
 }
 
 impl<const D: usize> Metric<D> for Constructed<D> {
+    fn dot<V: Id>(&self, vertices: [V; 4]) -> Sign {
+        self.dot_locally(vertices)
+            .unwrap_or_else(|| decided(self, &Dot, vertices.into_iter(), std::iter::empty()))
+    }
+
     fn approximate_point<V: Id>(&self, v: V) -> Homogeneous<Approximate, D> {
         self.approximate_at(v.index())
     }

@@ -149,6 +149,15 @@ fn the_local_filter_is_right_far_from_the_origin() {
             let (lifted, _) = kernel.lifted_by_ring(&[0, 1], &[a, b, c], q);
             let locally = kernel.lifted_locally(&[a, b, c], q);
             assert!(locally.is_none_or(|(sign, _)| sign == lifted), "{round} {call:?}");
+            let locally = kernel.dot_locally([a, b, c, q]);
+            let at = |v: usize| kernel.exact_at(v).x;
+            let from = |p: usize, q: usize| {
+                let [[x, y], [u, v]] = [at(p), at(q)];
+                [u - x, v - y]
+            };
+            let ([x, y], [u, v]) = (from(a, b), from(c, q));
+            let by_ring = (&x * &u + &y * &v).sign();
+            assert!(locally.is_none_or(|sign| sign == by_ring), "{round} {call:?}");
             if call[1] == 9 && round % 40 < 20 {
                 calls += 1;
                 decided += usize::from(locally.is_some());
