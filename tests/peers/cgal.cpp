@@ -9,9 +9,11 @@
 // Coordinates are the 16 hexadecimal digits of the double's bits, so that nothing is rounded on the way.
 // Out, for each request:
 //   ok DIMENSION K SECONDS    then K lines of DIMENSION + 1 ids, the finite cells; hidden points are in none
-//   counted VERTICES CELLS SECONDS    for conform and refine; the cells are those of the domain
+//   counted VERTICES CELLS SECONDS    for conform and refine; the cells are those of the domain. After ten seconds the program ends
 //   refused MESSAGE           CGAL threw, for instance because constraints intersect
 // The construction alone is timed.
+
+#include <unistd.h>
 
 #include <chrono>
 #include <cmath>
@@ -242,6 +244,7 @@ void insert_all(Triangulation& t, const std::vector<std::pair<Kernel::Point_2, I
 }
 
 void counted(std::size_t vertices, std::size_t cells, double seconds) {
+  alarm(0);
   std::cout << "counted " << vertices << ' ' << cells << ' ' << seconds << std::endl;
 }
 
@@ -251,6 +254,7 @@ void conform() {
   std::cin >> strength >> n >> m;
   const auto points = read_points_2(n);
   const auto segments = read_segments(m);
+  alarm(10);
   const Clock clock;
   Constrained t;
   insert_all(t, points, segments);
@@ -266,6 +270,7 @@ void refine() {
   const auto points = read_points_2(n);
   const auto segments = read_segments(m);
   const double sine = std::sin(degrees * 3.14159265358979323846 / 180);
+  alarm(10);
   const Clock clock;
   Meshed t;
   insert_all(t, points, segments);

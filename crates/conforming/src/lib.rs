@@ -1,4 +1,4 @@
-//! Triangulations with Steiner points: conforming Delaunay.
+//! Triangulations with Steiner points: conforming Delaunay, and quality refinement.
 //!
 //! ```
 //! use delone_conforming::{Missing, conform};
@@ -18,9 +18,15 @@
 //! | [`conform`] with [`Encroached`] | what has a vertex in its diametral disk | that all these are empty too | the strongest |
 //! | [`conform_by_protection`] | before any triangulation | the same | to compare: \[Saa91\] |
 //!
+//! | refinement | points | encroachment | when |
+//! |---|---|---|---|
+//! | \[Ung09\], the default | [`Centre::OffCentre`] | [`Encroachment::Lens`] | fewest vertices |
+//! | \[Che93\] | [`Centre::Circumcentre`] | [`Encroachment::Lens`] | to compare |
+//! | \[Rup95\] | [`Centre::Circumcentre`] | [`Encroachment::Disk`] | diametral disks empty of what is inside |
+//!
 //! # Contract
 //!
-//! In: [`delone_sites::Pslg`], noded. Out: [`Conforming`]. A Steiner point is exactly on its segment: `a + t (b - a)` with t a
+//! In: [`delone_sites::Pslg`], noded. Out: [`Conforming`]; of [`refine`], [`Refined`] around it, with regions, sides and what was left alone. A Steiner point is exactly on its segment: `a + t (b - a)` with t a
 //! number of as many bits as it takes; the union of the pieces *is* the segment. Positions in doubles are for drawing and
 //! export. All methods end on all input, whatever the angles; there is no bound on the points in the size of the input alone,
 //! and inputs with gaps of one unit in the last place may take more than any memory: give [`Limits`].

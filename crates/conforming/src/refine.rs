@@ -145,8 +145,8 @@ pub fn refine(
     for cell in cdt.mesh().cells() {
         live.region_at[cell.index()] = domain.regions().of_cell(cell);
     }
-    let regions = u32::try_from(domain.regions().count()).expect("regions are fewer than ids");
-    let inside: Vec<bool> = (0..regions).map(|region| domain.is_inside(region)).collect();
+    let regions = (0u32..).take(domain.regions().count());
+    let inside: Vec<bool> = regions.map(|region| domain.is_inside(region)).collect();
     let apexes = Apexes::new(&cdt, &live.kernel, live.sites);
     let quality = Quality::new(options);
     let mut work = Work {

@@ -147,8 +147,7 @@ impl Conforming {
     /// hashed as the doubles nearest to them.
     #[must_use]
     pub fn fingerprint(&self) -> Fingerprint {
-        let count = u32::try_from(self.kernel.len()).expect("vertices are fewer than ids");
-        let mut sorted: Vec<u32> = (0..count).collect();
+        let mut sorted: Vec<u32> = (0u32..).take(self.kernel.len()).collect();
         sorted.sort_unstable_by(|&u, &v| self.kernel.compare_lexicographic(u as usize, v as usize));
         let mut ranks = vec![0; sorted.len()];
         let mut hash = Fingerprint::new();

@@ -15,8 +15,8 @@
 //! split at a power of two. If s is one, then s' has an innermost radius that is at most s / 2, and s / 2 is not below it; from
 //! the middle of a power of two comes another. If it is not, that happens once to it, and takes at most a third. Where angles
 //! are 60 degrees or more, s' <= s cos a <= s / 2, so the middle is not below s' either. Others than the cluster are at a
-//! distance from z: s is more than that, and so is not made less than its third. So innermost radii are bounded below by some s0
-//! > 0. (2) All other subsegments are at least s0 from their apexes, so at a distance L > 0 from whatever is not on their line,
+//! distance from z: s is more than that, and so is not made less than its third. So innermost radii are bounded
+//! below by some positive s0. (2) All other subsegments are at least s0 from their apexes, so at a distance L > 0 from whatever is not on their line,
 //! and at least 2 L long if something encroaches upon them; a part has at least a quarter of the length. So no subsegment
 //! gets arbitrarily short, each split makes one more, and their lengths add up to a constant.
 //!

@@ -13,7 +13,7 @@ use crate::{judged, promise};
 
 /// The most sites taken.
 fn sites_max() -> usize {
-    if long() { 200_000 } else { 600 }
+    if long() { 200_000 } else { 150 }
 }
 
 #[test]
@@ -48,7 +48,7 @@ fn all_methods_conform_on_files() {
 
 fn check(case: &Case<2>, cgal: &mut Option<Cgal>, ratios: &mut [Vec<f64>; 2]) {
     let pslg = case.pslg();
-    let vertices_max = 10 * pslg.sites().len() + if long() { 100_000 } else { 2_000 };
+    let vertices_max = 10 * pslg.sites().len() + if long() { 100_000 } else { 500 };
     let limits = Limits { vertices_max };
     let options = ConformOptions { limits, ..ConformOptions::default() };
     let mut row = format!("{} {}", case.name, pslg.sites().len());

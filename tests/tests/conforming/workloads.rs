@@ -6,17 +6,19 @@ use delone_tests::corpus::{Size, pslgs};
 
 use crate::{judged, promise};
 
-/// Vertices that no input of the corpus needs.
-const ENOUGH: Limits = Limits { vertices_max: 4_000 };
+/// With vertices that no input of the corpus needs, but for protection.
+fn enough(method: &str) -> ConformOptions {
+    let vertices_max = if method == "saalfeld" { 1_000 } else { 20_000 };
+    ConformOptions { limits: Limits { vertices_max }, ..ConformOptions::default() }
+}
 
 #[test]
 fn all_methods_conform_on_the_corpus() {
-    let options = ConformOptions { limits: ENOUGH, ..ConformOptions::default() };
     for case in pslgs(Size::Small).into_iter().chain(pslgs(Size::Middle)) {
         let pslg = case.pslg();
         let mut counts = Vec::new();
         for method in methods() {
-            let result = (method.run)(&pslg, &options, &mut ());
+            let result = (method.run)(&pslg, &enough(method.name), &mut ());
             counts.push(result.steiner_points().len());
             // Protection takes of the order of 1 / a points at small angles a.
             let may_stop = method.name == "saalfeld";
@@ -37,10 +39,10 @@ fn all_methods_conform_on_the_corpus() {
 
 #[test]
 fn order_leaves_no_trace() {
-    let options = ConformOptions { limits: ENOUGH, ..ConformOptions::default() };
     for case in pslgs(Size::Small) {
         let shuffled = case.shuffled(7);
         for method in methods() {
+            let options = enough(method.name);
             let print =
                 [&case, &shuffled].map(|case| (method.run)(&case.pslg(), &options, &mut ()));
             if !print[0].is_complete() {

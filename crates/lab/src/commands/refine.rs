@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use delone_check::Promise;
 use delone_conforming::{
-    Centre, Encroachment, Limits, Reason, RefineOptions, Refined, refine as refined,
+    Centre, Encroachment, Limits, Reason, RefineOptions, Refined, SizeField, refine as refined,
 };
 use serde_json::{Map, Value, json};
 
@@ -34,20 +34,8 @@ pub(crate) fn refine(arguments: &cli::Refine) -> Result<(), Failure> {
     output::check_paths(written(report))?;
     let mut seconds = Seconds { read: start.elapsed().as_secs_f64(), ..Seconds::default() };
     let size = field.as_ref().map(|field| |place: [f64; 2]| field.at(place));
-    let options = RefineOptions {
-        centre: match arguments.method {
-            cli::Refinement::OffCentre => Centre::OffCentre,
-            cli::Refinement::Chew | cli::Refinement::Ruppert => Centre::Circumcentre,
-        },
-        encroachment: match arguments.method {
-            cli::Refinement::OffCentre | cli::Refinement::Chew => Encroachment::Lens,
-            cli::Refinement::Ruppert => Encroachment::Disk,
-        },
-        angle_deg_min: arguments.angle_min,
-        area_max: arguments.area_max.unwrap_or(f64::INFINITY),
-        size: size.as_ref().map(|size| size as &dyn Fn([f64; 2]) -> f64),
-        limits: Limits { vertices_max: arguments.limits.vertices_max.unwrap_or(usize::MAX) },
-    };
+    let size = size.as_ref().map(|size| size as &dyn Fn([f64; 2]) -> f64);
+    let options = options(arguments, size);
     let mut progress = Progress::new(arguments.method.name(), report.voice.quiet);
     let clock = Instant::now();
     let listener = report.counts.then_some(&mut progress);
@@ -79,6 +67,23 @@ pub(crate) fn refine(arguments: &cli::Refine) -> Result<(), Failure> {
     write_and_tell(report, &result, &mut outcome)
 }
 
+fn options<'a>(arguments: &cli::Refine, size: Option<SizeField<'a>>) -> RefineOptions<'a> {
+    RefineOptions {
+        centre: match arguments.method {
+            cli::Refinement::OffCentre => Centre::OffCentre,
+            cli::Refinement::Chew | cli::Refinement::Ruppert => Centre::Circumcentre,
+        },
+        encroachment: match arguments.method {
+            cli::Refinement::OffCentre | cli::Refinement::Chew => Encroachment::Lens,
+            cli::Refinement::Ruppert => Encroachment::Disk,
+        },
+        angle_deg_min: arguments.angle_min,
+        area_max: arguments.area_max.unwrap_or(f64::INFINITY),
+        size,
+        limits: Limits { vertices_max: arguments.limits.vertices_max.unwrap_or(usize::MAX) },
+    }
+}
+
 /// Angles, and what is left alone: each triangle by its vertices, and why.
 fn keys(refined: &Refined, all: bool) -> Map<String, Value> {
     let mut keys = Map::new();
@@ -107,7 +112,7 @@ fn check_bounds(arguments: &cli::Refine) -> Result<(), Failure> {
         return Err(Failure::input(format!("--angle-min {angle}: give 0 to less than 60 degrees")));
     }
     match arguments.area_max {
-        Some(area) if !(area > 0.0) => {
+        Some(area) if area.is_nan() || area <= 0.0 => {
             Err(Failure::input(format!("--area-max {area}: give a number over 0")))
         }
         _ => Ok(()),
