@@ -11,6 +11,7 @@ mod workloads;
 use delone::Pslg;
 use delone::check::{Conformed, Options, Promise, SteinerPoint, Verdict, judge_conforming};
 use delone::conforming::{Conforming, Method, SteinerPoint as Added};
+use delone_tests::id;
 
 /// What a method promises.
 fn promise(method: &Method) -> Promise {
@@ -21,7 +22,7 @@ fn promise(method: &Method) -> Promise {
 fn judged(pslg: &Pslg, conforming: &Conforming, promise: Promise) -> Verdict {
     let mesh = conforming.mesh();
     let corners = mesh.solid_cells().flat_map(|cell| mesh.corners(cell));
-    let cells: Vec<u32> = corners.map(|v| u32::try_from(v.index()).unwrap()).collect();
+    let cells: Vec<u32> = corners.map(|v| id(v.index())).collect();
     let sites = pslg.sites().len();
     let on = conforming.steiner_points().iter().enumerate().map(|(i, point)| match point {
         Added::On { ends, t, .. } => {
