@@ -4,13 +4,19 @@
 //   delaunay2 N      then N lines  x y        delaunay3 N   then N lines  x y z
 //   regular2 N       then N lines  x y w      regular3 N    then N lines  x y z w   (w is the weight)
 //   cdt N M          then N lines  x y, then M lines  i j
+//   conform delaunay|gabriel N M     the same lines; Steiner points are added
+//   refine DEGREES SIZE N M          the same lines; DEGREES is the least angle asked for, SIZE the longest edge, 0 for any
 // Coordinates are the 16 hexadecimal digits of the double's bits, so that nothing is rounded on the way.
 // Out, for each request:
 //   ok DIMENSION K SECONDS    then K lines of DIMENSION + 1 ids, the finite cells; hidden points are in none
+//   counted VERTICES CELLS SECONDS    for conform and refine; the cells are those of the domain. After ten seconds the program ends
 //   refused MESSAGE           CGAL threw, for instance because constraints intersect
 // The construction alone is timed.
 
+#include <unistd.h>
+
 #include <chrono>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <iostream>
@@ -19,12 +25,17 @@
 #include <vector>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Delaunay_mesh_face_base_2.h>
+#include <CGAL/Delaunay_mesh_size_criteria_2.h>
+#include <CGAL/Delaunay_mesh_vertex_base_2.h>
+#include <CGAL/Delaunay_mesher_2.h>
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Regular_triangulation_2.h>
 #include <CGAL/Regular_triangulation_3.h>
 #include <CGAL/Triangulation_cell_base_3.h>
+#include <CGAL/Triangulation_conformer_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 
@@ -39,6 +50,12 @@ using ConstrainedStructure =
     CGAL::Triangulation_data_structure_2<Vertex2, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
 using Constrained = CGAL::Constrained_Delaunay_triangulation_2<Kernel, ConstrainedStructure,
                                                                CGAL::No_constraint_intersection_requiring_constructions_tag>;
+
+using Meshed = CGAL::Constrained_Delaunay_triangulation_2<
+    Kernel,
+    CGAL::Triangulation_data_structure_2<CGAL::Delaunay_mesh_vertex_base_2<Kernel>,
+                                         CGAL::Delaunay_mesh_face_base_2<Kernel>>,
+    CGAL::No_constraint_intersection_requiring_constructions_tag>;
 
 using Vertex3 = CGAL::Triangulation_vertex_base_with_info_3<Id, Kernel>;
 using Structure3 =
@@ -212,6 +229,58 @@ void cdt() {
   answer(t.dimension(), cells_of_2(t), seconds);
 }
 
+std::vector<std::pair<Id, Id>> read_segments(std::size_t m) {
+  std::vector<std::pair<Id, Id>> segments(m);
+  for (auto& s : segments) std::cin >> s.first >> s.second;
+  return segments;
+}
+
+template <class Triangulation>
+void insert_all(Triangulation& t, const std::vector<std::pair<Kernel::Point_2, Id>>& points,
+                const std::vector<std::pair<Id, Id>>& segments) {
+  std::vector<Kernel::Point_2> places;
+  for (const auto& p : points) places.push_back(p.first);
+  t.insert_constraints(places.begin(), places.end(), segments.begin(), segments.end());
+}
+
+void counted(std::size_t vertices, std::size_t cells, double seconds) {
+  alarm(0);
+  std::cout << "counted " << vertices << ' ' << cells << ' ' << seconds << std::endl;
+}
+
+void conform() {
+  std::string strength;
+  std::size_t n, m;
+  std::cin >> strength >> n >> m;
+  const auto points = read_points_2(n);
+  const auto segments = read_segments(m);
+  alarm(10);
+  const Clock clock;
+  Constrained t;
+  insert_all(t, points, segments);
+  if (strength == "gabriel") CGAL::make_conforming_Gabriel_2(t);
+  else CGAL::make_conforming_Delaunay_2(t);
+  counted(t.number_of_vertices(), t.number_of_faces(), clock.seconds());
+}
+
+void refine() {
+  double degrees, size;
+  std::size_t n, m;
+  std::cin >> degrees >> size >> n >> m;
+  const auto points = read_points_2(n);
+  const auto segments = read_segments(m);
+  const double sine = std::sin(degrees * 3.14159265358979323846 / 180);
+  alarm(10);
+  const Clock clock;
+  Meshed t;
+  insert_all(t, points, segments);
+  CGAL::refine_Delaunay_mesh_2(t, CGAL::Delaunay_mesh_size_criteria_2<Meshed>(sine * sine, size));
+  const double seconds = clock.seconds();
+  std::size_t cells = 0;
+  for (const auto f : t.finite_face_handles()) cells += f->is_in_domain();
+  counted(t.number_of_vertices(), cells, seconds);
+}
+
 }  // namespace
 
 int main() {
@@ -224,6 +293,8 @@ int main() {
       else if (request == "regular2") regular2();
       else if (request == "regular3") regular3();
       else if (request == "cdt") cdt();
+      else if (request == "conform") conform();
+      else if (request == "refine") refine();
       else std::cout << "refused unknown request " << request << std::endl;
     } catch (const std::exception& e) {
       std::string message = e.what();

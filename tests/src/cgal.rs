@@ -76,6 +76,48 @@ impl Cgal {
         self.ask(&request)
     }
 
+    /// How many vertices and cells a conforming triangulation has, of distinct points and segments: by its `strength`,
+    /// `delaunay` or `gabriel`. `None` if it threw.
+    pub fn conform(
+        &mut self,
+        strength: &str,
+        points: &[[f64; 2]],
+        segments: &[[u32; 2]],
+    ) -> Option<[usize; 2]> {
+        self.counted(&format!("conform {strength}"), points, segments)
+    }
+
+    /// The same of a mesh whose angles are at least so many degrees, as far as its method goes.
+    pub fn refine(
+        &mut self,
+        degrees: f64,
+        points: &[[f64; 2]],
+        segments: &[[u32; 2]],
+    ) -> Option<[usize; 2]> {
+        self.counted(&format!("refine {degrees} 0"), points, segments)
+    }
+
+    fn counted(
+        &mut self,
+        what: &str,
+        points: &[[f64; 2]],
+        segments: &[[u32; 2]],
+    ) -> Option<[usize; 2]> {
+        let mut request = format!("{what} {} {}\n", points.len(), segments.len());
+        write_points(&mut request, points);
+        for [a, b] in segments {
+            writeln!(request, "{a} {b}").expect("text grows");
+        }
+        self.to.write_all(request.as_bytes()).ok()?;
+        self.to.flush().ok()?;
+        let mut line = String::new();
+        self.from.read_line(&mut line).ok()?;
+        let mut words = line.strip_prefix("counted ")?.split_whitespace();
+        let counts = [words.next()?.parse().ok()?, words.next()?.parse().ok()?];
+        self.seconds = words.next()?.parse().ok()?;
+        Some(counts)
+    }
+
     /// What the last construction took, by its own clock.
     #[must_use]
     pub const fn seconds(&self) -> f64 {

@@ -85,6 +85,10 @@ pub enum Fault {
     FillLeaks { edge: Simplex },
     /// A cell is inside and should not be, or the other way.
     WrongSide { cell: Simplex, inside: bool },
+    /// A Steiner point is not strictly between the ends of a segment, or on no segment.
+    OffSegment { point: u32, ends: Simplex },
+    /// A vertex is in the closed diametral disk of a subsegment.
+    EncroachedEdge { edge: Simplex, by: Witness },
     /// A cell has the ghost vertex twice.
     TwoGhosts { cell: usize },
     /// A twin is not the number of a facet.
@@ -138,6 +142,8 @@ impl Fault {
             Self::FlagNotEdge { .. } => "flag-not-edge",
             Self::FillLeaks { .. } => "fill-leaks",
             Self::WrongSide { .. } => "wrong-side",
+            Self::OffSegment { .. } => "off-segment",
+            Self::EncroachedEdge { .. } => "encroached-edge",
             Self::TwoGhosts { .. } => "two-ghosts",
             Self::TwinOutOfRange { .. } => "twin-out-of-range",
             Self::TwinNotMutual { .. } => "twin-not-mutual",

@@ -29,6 +29,7 @@
 //! | [`judge_regular`] | regular, with weights, in any dimension | the same, plus cells times hidden points |
 //! | [`judge_constrained`] | constrained Delaunay in the plane | the same, plus all chains |
 //! | [`judge_arranged`] | the same where segments cross, crossings being vertices | sorts, big ratios |
+//! | [`judge_conforming`] | the same with Steiner points, exactly on their segments | sorts, big ratios |
 //! | [`judge_fill`] | what is inside, by a rule | a ray for each region |
 //! | [`judge_links`] | the twins and ghosts of a mesh | sorting |
 //! | [`naive`] | answers by definition, for tests | polynomial of high degree |
@@ -45,7 +46,7 @@
 //! the hull is global. Ties: by the perturbation that raises each height `|p|^2` by an
 //! infinitesimal that grows with lexicographic rank. It depends on no order of input.
 //!
-//! **Not here.** Steiner points, carved domains, quality, alpha complexes;
+//! **Not here.** Carved domains, alpha complexes;
 //! predicates of the algorithms, of which nothing is used; drawing; JSON (every field of a verdict
 //! is public, every fault has a text and a [kind](Fault::kind)).
 //!
@@ -55,6 +56,7 @@
 mod arranged;
 mod cells;
 mod chains;
+mod conforming;
 mod constrained;
 mod delaunay;
 mod exact;
@@ -67,6 +69,7 @@ mod local;
 pub mod naive;
 mod options;
 mod regular;
+mod scene;
 mod sites;
 mod space;
 #[cfg(test)]
@@ -76,6 +79,7 @@ mod verdict;
 
 pub use arranged::{Arranged, judge_arranged};
 pub use cells::Complex;
+pub use conforming::{Conformed, Promise, SteinerPoint, judge_conforming};
 pub use constrained::judge_constrained;
 pub use delaunay::judge_delaunay;
 pub use fault::{Fault, Simplex, Witness};

@@ -18,6 +18,10 @@ pub enum Level {
     WeaklyConstrained,
     /// The constrained Delaunay triangulation that the perturbation selects.
     Constrained,
+    /// A conforming Delaunay triangulation, ties resolved in any way.
+    WeaklyConforming,
+    /// The conforming Delaunay triangulation that the perturbation selects for its vertices.
+    Conforming,
     /// A regular triangulation, all hidden points left out, ties resolved in any way.
     WeaklyRegular,
     /// The regular triangulation that the perturbation selects.
@@ -38,6 +42,8 @@ impl Level {
             Self::Triangulation => "triangulation",
             Self::WeaklyConstrained => "weakly constrained delaunay",
             Self::Constrained => "constrained delaunay",
+            Self::WeaklyConforming => "weakly conforming delaunay",
+            Self::Conforming => "conforming delaunay",
             Self::WeaklyRegular => "weakly regular",
             Self::Regular => "regular",
             Self::WeaklyDelaunay => "weakly delaunay",

@@ -20,6 +20,7 @@
 //! | the predicates alone | [`predicates`] |
 //! | the Delaunay triangulation of points, any dimension | [`delaunay`] |
 //! | the constrained Delaunay triangulation of points and segments | [`cdt`] |
+//! | the same with Steiner points, conforming or refined | [`conforming`] |
 //! | what is inside a soup of edges, with or without holes | [`cdt::triangulate2d`], [`cdt::Domain`] |
 //! | chains, boundary operators, Betti numbers | [`lar`] |
 //! | a proof that a triangulation is one | [`check`] |
@@ -31,6 +32,7 @@
 
 pub use delone_cdt as cdt;
 pub use delone_check as check;
+pub use delone_conforming as conforming;
 pub use delone_delaunay as delaunay;
 pub use delone_draw as draw;
 pub use delone_formats as formats;

@@ -3,12 +3,14 @@
 mod bench;
 mod fuzz;
 mod replay;
+mod steiner;
 
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
+pub(crate) use steiner::{Conform, Refine, Refinement};
 
 pub(crate) use bench::{Bench, BenchAction, Engine};
 pub(crate) use fuzz::{Fuzz, Program, Shrink};
@@ -42,6 +44,10 @@ pub(crate) enum Command {
     Delaunay(Triangulate),
     /// Constrained Delaunay triangulation of a planar straight-line graph
     Cdt(Cdt),
+    /// Conforming Delaunay triangulation: Steiner points on segments until each is a chain of Delaunay edges
+    Conform(Conform),
+    /// Quality refinement: Steiner points until no triangle inside has a small angle or is too large
+    Refine(Refine),
     /// Triangulate the inside of a soup of boundary edges, holes unknown
     #[command(name = "triangulate2d")]
     Triangulate2d(Triangulate2d),
@@ -377,8 +383,8 @@ pub(crate) struct Draw {
     /// Move the triangles apart: their distances from the middle, times this
     #[arg(long, value_name = "FACTOR")]
     pub(crate) explode: Option<f64>,
-    /// Three panels: the input, its Delaunay triangulation (missing segments in red), its constrained Delaunay triangulation
-    /// (edges that are not Delaunay in red)
+    /// Four panels: the input, its Delaunay triangulation (missing segments in red), its conforming Delaunay triangulation
+    /// (Steiner points in red), its constrained Delaunay triangulation (edges that are not Delaunay in red)
     #[arg(long, conflicts_with_all = ["bare", "explode"])]
     pub(crate) panels: bool,
     /// Draw circumcircles

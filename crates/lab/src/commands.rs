@@ -4,12 +4,14 @@ mod bench;
 mod check;
 mod classroom;
 mod compare;
+mod conform;
 mod convert;
 mod draw;
 mod engine;
 mod fuzz;
 mod generate;
 mod meta;
+mod refine;
 mod replay;
 mod shrink;
 mod triangulate;
@@ -24,6 +26,8 @@ pub(crate) fn run(command: &Command) -> Result<(), Failure> {
         Command::Compare(arguments) => compare::compare(arguments),
         Command::Delaunay(arguments) => triangulate::delaunay(arguments),
         Command::Cdt(arguments) => triangulate::cdt(arguments),
+        Command::Conform(arguments) => conform::conform(arguments),
+        Command::Refine(arguments) => refine::refine(arguments),
         Command::Triangulate2d(arguments) => triangulate2d::triangulate2d(arguments),
         Command::Check(arguments) => check::check(arguments),
         Command::Gen(arguments) => generate::generate(arguments),

@@ -233,7 +233,7 @@ pub(crate) struct Sizes {
     pub(crate) dimension: Option<usize>,
 }
 
-fn sizes_of<const D: usize>(mesh: &Mesh<D>, vertices: usize) -> Sizes {
+pub(crate) fn sizes_of<const D: usize>(mesh: &Mesh<D>, vertices: usize) -> Sizes {
     let (cells, hull_facets) = (mesh.solid_cells().count(), mesh.ghost_cells().count());
     Sizes { vertices, cells, hull_facets, dimension: mesh.dimension() }
 }

@@ -113,5 +113,5 @@ pub(crate) fn crossing_keys(
 
 fn rounding_is_valid(graph: &delone_sites::Arrangement, cdt: &Cdt) -> bool {
     let finite = graph.positions().as_flattened().iter().all(|x| x.is_finite());
-    finite && judge::rounded(graph, cdt)
+    finite && judge::rounded(cdt.mesh(), graph.positions())
 }

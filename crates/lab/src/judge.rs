@@ -2,12 +2,13 @@
 
 use delone_cdt::Cdt;
 use delone_check::{
-    Arranged, Complex, Links, Options, Verdict, judge_arranged, judge_constrained, judge_delaunay,
-    judge_links, judge_regular,
+    Arranged, Complex, Conformed, Links, Options, Promise, SteinerPoint, Verdict, judge_arranged,
+    judge_conforming, judge_constrained, judge_delaunay, judge_links, judge_regular,
 };
+use delone_conforming::{Conforming, SteinerPoint as Added};
 use delone_delaunay::{Delaunay, Regular};
 use delone_mesh::Mesh;
-use delone_sites::{Arrangement, Noded, Pslg, Sites, WeightedSites};
+use delone_sites::{Arrangement, Pslg, Sites, WeightedSites};
 
 /// The solid cells as ids of vertices, as the mesh has them.
 pub(crate) fn solid_ids<const D: usize>(mesh: &Mesh<D>) -> Vec<u32> {
@@ -70,12 +71,40 @@ pub(crate) fn arranged(graph: &Arrangement, result: &Cdt) -> Verdict {
     joined(links(mesh), verdict)
 }
 
-/// Judges the same with each vertex at the nearest doubles: whether rounding keeps it a triangulation of the hull with all
-/// pieces as edges. That it is still Delaunay is not asked.
-pub(crate) fn rounded(graph: &Arrangement, result: &Cdt) -> bool {
+/// Judges a triangulation with Steiner points, these being exact.
+pub(crate) fn conforming(pslg: &Pslg, result: &Conforming, promise: Promise) -> Verdict {
     let mesh = result.mesh();
     let cells = solid_ids(mesh);
-    let complex = Complex { points: graph.positions(), dimension: mesh.dimension(), cells: &cells };
+    let (points, flags) = (pslg.sites().points(), result.constrained_edges());
+    if mesh.dimension() != Some(2) {
+        let complex = Complex { points, dimension: mesh.dimension(), cells: &cells };
+        let verdict = judge_constrained(&complex, pslg.segments(), flags, &Options::default());
+        return joined(links(mesh), verdict);
+    }
+    let added = result.steiner_points().iter().zip(&result.positions()[points.len()..]);
+    let steiner = added.map(|(added, &position)| match added {
+        Added::On { ends, t, .. } => {
+            SteinerPoint::On { ends: *ends, mantissa: t.mantissa(), exponent: t.exponent() }
+        }
+        Added::Free => SteinerPoint::At(position),
+    });
+    let steiner: Vec<SteinerPoint<'_>> = steiner.collect();
+    let conformed = Conformed {
+        points,
+        steiner: &steiner,
+        cells: &cells,
+        segments: pslg.segments(),
+        constrained: flags,
+        promise,
+    };
+    joined(links(mesh), judge_conforming(&conformed, &Options::default()))
+}
+
+/// Judges a mesh with each vertex at the nearest doubles: whether rounding keeps it a triangulation of the hull with all
+/// pieces as edges. That it is still Delaunay is not asked.
+pub(crate) fn rounded(mesh: &Mesh<2>, positions: &[[f64; 2]]) -> bool {
+    let cells = solid_ids(mesh);
+    let complex = Complex { points: positions, dimension: mesh.dimension(), cells: &cells };
     let verdict = judge_constrained(&complex, &[], &[], &Options::default());
     let is_geometry = |kind: &&&str| !matches!(**kind, "not-delaunay" | "wrong-tie");
     verdict.counts.keys().filter(is_geometry).count() == 0

@@ -7,6 +7,8 @@ mod bench;
 mod fuzz;
 #[path = "program/pages.rs"]
 mod pages;
+#[path = "program/steiner.rs"]
+mod steiner;
 #[path = "program/weights.rs"]
 mod weights;
 
@@ -352,6 +354,7 @@ fn figures_are_drawn() {
         assert_eq!(status, 0, "{error}");
         assert!(roxmltree::Document::parse(&svg).is_ok());
         let panels = svg.contains("Delaunay: 1 of 1 subsegments missing")
+            && svg.contains("conforming Delaunay: 1 Steiner points")
             && svg.contains("1 edges not Delaunay");
         assert_eq!(panels, words.contains(&"--panels"));
     }

@@ -44,6 +44,7 @@ use smallvec::SmallVec;
 
 mod construction;
 mod extent;
+mod local;
 mod short;
 #[cfg(test)]
 mod tests;
@@ -172,6 +173,18 @@ impl<const D: usize> Constructed<D> {
         }
         self.grow_exact();
         id.expect("fewer than 2^32 - 1 points")
+    }
+
+    /// Takes the last vertex away; whether there was one. The static bounds stay those of all that came.
+    pub fn pop(&mut self) -> bool {
+        if self.positions.pop().is_none() {
+            return false;
+        }
+        if self.places.pop().is_some_and(|place| place != PLAIN) {
+            self.values.pop();
+        }
+        self.exact_below = self.exact_below.min(self.positions.len());
+        true
     }
 
     /// Moves `exact_below` over vertices that are exact: each once in all.
@@ -375,6 +388,32 @@ impl<const D: usize> Kernel<D> for Constructed<D> {
 
 /// Calls on vertices of which some may be rounded.
 impl<const D: usize> Constructed<D> {
+    /// The filter by the call's own differences, in the plane.
+    #[inline]
+    fn orient_locally<V: Id>(&self, simplex: &[V]) -> Option<(Sign, Stage)> {
+        let sign = match *simplex {
+            [a, b, c] if D == 2 => local::orient2d(at(&self.positions, [a, b, c])),
+            _ => None,
+        };
+        sign.map(|sign| (sign, Stage::DynamicFilter))
+    }
+
+    /// The same.
+    #[inline]
+    fn lifted_locally<V: Id>(&self, simplex: &[V], q: V) -> Option<(Sign, Stage)> {
+        let sign = match *simplex {
+            [a, b, c] if D == 2 => local::in_circle(at(&self.positions, [a, b, c, q])),
+            _ => None,
+        };
+        sign.map(|sign| (sign, Stage::DynamicFilter))
+    }
+
+    /// The same of a scalar product.
+    #[inline]
+    pub(crate) fn dot_locally<V: Id>(&self, vertices: [V; 4]) -> Option<Sign> {
+        if D == 2 { local::dot(at(&self.positions, vertices)) } else { None }
+    }
+
     #[inline]
     fn orient_mixed<V: Id>(&self, simplex: &[V]) -> (Sign, Stage) {
         if self.all_exact(simplex.iter().copied()) {
@@ -389,6 +428,7 @@ impl<const D: usize> Constructed<D> {
             _ => 0.0,
         };
         Self::by_static_filter(value, self.wide.orient)
+            .or_else(|| self.orient_locally(simplex))
             .unwrap_or_else(|| self.orient_by_ring(&all_axes::<D>(), simplex))
     }
 
@@ -403,6 +443,7 @@ impl<const D: usize> Constructed<D> {
             _ => 0.0,
         };
         Self::by_static_filter(value, self.wide.lifted)
+            .or_else(|| self.lifted_locally(simplex, q))
             .unwrap_or_else(|| self.lifted_by_ring(&all_axes::<D>(), simplex, q))
     }
 }

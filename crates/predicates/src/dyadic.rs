@@ -78,6 +78,22 @@ impl Dyadic {
         self
     }
 
+    /// This number times `2^exponent`.
+    #[must_use]
+    pub fn scaled(mut self, exponent: i64) -> Self {
+        if !self.mantissa.is_empty() {
+            self.exponent += exponent;
+        }
+        self
+    }
+
+    /// The exponent of the highest bit: this number is at least `2^e` in magnitude, and less than `2^(e + 1)`. `None` for
+    /// zero.
+    #[must_use]
+    pub fn magnitude(&self) -> Option<i64> {
+        (!self.mantissa.is_empty()).then(|| self.top())
+    }
+
     /// The nearest double, ties to even; infinite if the magnitude rounds to 2^1024 or more.
     #[must_use]
     pub fn to_f64(&self) -> f64 {

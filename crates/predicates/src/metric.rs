@@ -25,8 +25,8 @@ use crate::dyadic::nearest_ratio;
 use crate::formula::{Call, Formula, exactly, in_words};
 use crate::kernel::{Id, Kernel};
 use crate::ring::Homogeneous;
-use crate::{Approximate, Constructed, Dyadic, Weighted};
-use formulas::{Angles, Lengths, Radius, RadiusOver};
+use crate::{Approximate, Constructed, Dyadic, Sign, Weighted};
+use formulas::{Angles, Dot, Lengths, Radius, RadiusOver};
 
 pub(crate) use formulas::Radii;
 
@@ -64,6 +64,12 @@ pub trait Metric<const D: usize>: Kernel<D> {
     #[inline]
     fn weight_of<V: Id>(&self, _v: V) -> Option<f64> {
         None
+    }
+
+    /// The sign of `(b - a) . (d - c)`: positive if `d` is further than `c` in the direction from `a` to `b`. At one vertex,
+    /// `dot([z, p, z, q])` is positive for an acute angle, zero for a right one.
+    fn dot<V: Id>(&self, vertices: [V; 4]) -> Sign {
+        decided(self, &Dot, vertices.into_iter(), std::iter::empty())
     }
 
     /// Whether |ab| is less than, equal to or greater than |cd|.
@@ -202,6 +208,11 @@ impl<const D: usize, P: AsRef<[[f64; D]]>, W: AsRef<[f64]>> Metric<D> for Weight
 }
 
 impl<const D: usize> Metric<D> for Constructed<D> {
+    fn dot<V: Id>(&self, vertices: [V; 4]) -> Sign {
+        self.dot_locally(vertices)
+            .unwrap_or_else(|| decided(self, &Dot, vertices.into_iter(), std::iter::empty()))
+    }
+
     fn approximate_point<V: Id>(&self, v: V) -> Homogeneous<Approximate, D> {
         self.approximate_at(v.index())
     }

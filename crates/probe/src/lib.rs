@@ -54,6 +54,8 @@ pub enum Event {
     EdgeCrossed,
     /// A segment, or a piece of one, became an edge of the mesh.
     Subsegment,
+    /// A Steiner point became a vertex.
+    SteinerPoint,
 }
 
 /// Listens to an algorithm.
@@ -125,6 +127,8 @@ pub struct Counts {
     pub edges_crossed: u64,
     /// Subsegments made.
     pub subsegments: u64,
+    /// Steiner points added.
+    pub steiner_points: u64,
 }
 
 impl Probe for Counts {
@@ -144,6 +148,7 @@ impl Probe for Counts {
             Event::CellMade => self.cells_made += 1,
             Event::EdgeCrossed => self.edges_crossed += 1,
             Event::Subsegment => self.subsegments += 1,
+            Event::SteinerPoint => self.steiner_points += 1,
         }
     }
 }
@@ -151,7 +156,7 @@ impl Probe for Counts {
 impl Counts {
     /// Each tally under its name, in a fixed order.
     #[must_use]
-    pub fn named(&self) -> [(&'static str, u64); 12] {
+    pub fn named(&self) -> [(&'static str, u64); 13] {
         [
             ("orients", self.orients),
             ("in_spheres", self.in_spheres),
@@ -165,6 +170,7 @@ impl Counts {
             ("cells_made", self.cells_made),
             ("edges_crossed", self.edges_crossed),
             ("subsegments", self.subsegments),
+            ("steiner_points", self.steiner_points),
         ]
     }
 }

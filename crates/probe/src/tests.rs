@@ -18,10 +18,12 @@ fn counts_tally_each_kind_under_its_own_name() {
         Event::CellMade,
         Event::EdgeCrossed,
         Event::Subsegment,
+        Event::SteinerPoint,
+        Event::SteinerPoint,
     ];
     events.iter().for_each(|&event| counts.on(event));
     let values: Vec<u64> = counts.named().iter().map(|&(_, value)| value).collect();
-    assert_eq!(values, [1, 2, 1, 1, 2, 8, 5, 1, 3, 1, 1, 1]);
+    assert_eq!(values, [1, 2, 1, 1, 2, 8, 5, 1, 3, 1, 1, 1, 2]);
 }
 
 #[test]

@@ -49,6 +49,8 @@ impl Display for Fault {
             | Self::ExtraFlag { .. }
             | Self::FlagNotEdge { .. }
             | Self::FillLeaks { .. }
+            | Self::OffSegment { .. }
+            | Self::EncroachedEdge { .. }
             | Self::WrongSide { .. } => fmt_constraints(self, f),
             _ => fmt_geometry(self, f),
         }
@@ -177,6 +179,14 @@ fn fmt_constraints(fault: &Fault, f: &mut Formatter<'_>) -> Result {
         ),
         Fault::ExtraFlag { edge } => {
             write!(f, "the edge {} is flagged as constrained and lies on no segment", List(edge))
+        }
+        Fault::OffSegment { point, ends } => write!(
+            f,
+            "the steiner point {point} is not strictly between {}, or these are no part of a segment",
+            List(ends)
+        ),
+        Fault::EncroachedEdge { edge, by } => {
+            write!(f, "{by} is in the closed diametral disk of the subsegment {}", List(edge))
         }
         Fault::FlagNotEdge { ends: [a, b] } => {
             write!(f, "{a} {b} is flagged as constrained and is not an edge")

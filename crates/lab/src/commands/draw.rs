@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use delone_conforming::Missing;
 use delone_delaunay::Options;
 use delone_draw::{Exploded, Picture, Style, panels};
 use delone_formats::Document;
@@ -14,6 +15,9 @@ use crate::pictures::{Drawing, edges};
 use crate::result::describe;
 use crate::subject::{Body, Subject};
 use crate::{input, judge, output};
+
+/// The most vertices of a conforming triangulation in a panel.
+const PANEL_VERTICES_MAX: usize = 200_000;
 
 pub(crate) fn draw(arguments: &cli::Draw) -> Result<(), Failure> {
     if !(arguments.size.is_finite() && arguments.size >= 16.0) {
@@ -68,13 +72,20 @@ fn write(arguments: &cli::Draw, svg: &str) -> Result<(), Failure> {
     }
 }
 
-/// The input, its Delaunay triangulation and its constrained Delaunay triangulation, side by side.
+/// The input, its Delaunay, its conforming and its constrained Delaunay triangulation, side by side.
 fn figure(document: Document, arguments: &cli::Draw) -> Result<String, Failure> {
     let subject = Subject::graph(document)?;
     let Body::Graph(pslg) = &subject.body else { unreachable!("a graph was asked for") };
     let free = delone_delaunay::delaunay(pslg.sites(), &Options::default(), &mut ());
     let cdt = delone_cdt::cavity(pslg, &Options::default(), &mut ());
+    let options = delone_conforming::ConformOptions {
+        limits: delone_conforming::Limits { vertices_max: PANEL_VERTICES_MAX },
+        ..delone_conforming::ConformOptions::default()
+    };
+    let conforming = delone_conforming::conform(pslg, &Missing, &options, &mut ());
     let points = pslg.sites().points();
+    let steiner: Vec<u32> = (0u32..).take(conforming.kernel().len()).skip(points.len()).collect();
+    let third = triangles(conforming.mesh());
     let triangles = [free.mesh(), cdt.mesh()].map(triangles);
     let [delaunay, constrained] =
         [&triangles[0], &triangles[1]].map(|triangles| edges(triangles.iter()));
@@ -100,6 +111,19 @@ fn figure(document: Document, arguments: &cli::Draw) -> Result<String, Failure> 
                 missing.len(),
                 pslg.subsegments().len()
             )),
+        ),
+        (
+            Picture {
+                points: conforming.positions(),
+                triangles: &third,
+                segments: conforming.constrained_edges(),
+                marked: &steiner,
+                ..Picture::default()
+            },
+            style(match conforming.is_complete() {
+                true => format!("conforming Delaunay: {} Steiner points", steiner.len()),
+                false => format!("not conforming yet: more than {} Steiner points", steiner.len()),
+            }),
         ),
         (
             Picture { triangles: &triangles[1], highlights: &forced, ..bare },

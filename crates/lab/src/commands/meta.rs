@@ -14,7 +14,9 @@ pub(crate) fn cite() -> Result<(), Failure> {
     let delaunay = delaunay.iter().map(|a| ("delaunay", a.name, a.papers));
     let cdt = delone_cdt::algorithms();
     let cdt = cdt.iter().map(|a| ("cdt", a.name, a.papers));
-    for (command, name, papers) in delaunay.chain(cdt) {
+    let conform = delone_conforming::methods();
+    let conform = conform.iter().map(|m| ("conform", m.name, m.papers));
+    for (command, name, papers) in delaunay.chain(cdt).chain(conform) {
         text.push_str(&format!("  {command:10} {name:16} {}\n", papers.join(", ")));
     }
     print_bytes(text.as_bytes())

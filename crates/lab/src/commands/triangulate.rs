@@ -171,7 +171,7 @@ impl Job<'_> {
     }
 }
 
-fn written(report: &cli::Report) -> impl Iterator<Item = &Path> {
+pub(super) fn written(report: &cli::Report) -> impl Iterator<Item = &Path> {
     let files = report.outputs.iter().chain(&report.svg).chain(&report.html);
     files.map(std::path::PathBuf::as_path)
 }
@@ -212,7 +212,7 @@ fn write_results(
 }
 
 /// A report on one triangulation.
-fn page(outcome: &Outcome<'_>, drawing: &Drawing, style: &Style) -> String {
+pub(super) fn page(outcome: &Outcome<'_>, drawing: &Drawing, style: &Style) -> String {
     let mut page = Report::new(outcome.subject.name());
     page.lead(&describe(outcome.subject));
     if let Some(verdict) = &outcome.verdict {
@@ -233,7 +233,11 @@ fn page(outcome: &Outcome<'_>, drawing: &Drawing, style: &Style) -> String {
     page.finish()
 }
 
-fn tell(report: &cli::Report, outcome: &mut Outcome<'_>, write: f64) -> Result<(), Failure> {
+pub(super) fn tell(
+    report: &cli::Report,
+    outcome: &mut Outcome<'_>,
+    write: f64,
+) -> Result<(), Failure> {
     if written(report).next().is_some() {
         outcome.seconds.write = Some(write);
     }

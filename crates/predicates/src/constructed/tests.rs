@@ -119,6 +119,74 @@ fn parameters_may_be_halved_at_will() {
     assert_eq!(kernel.position(201), kernel.position(190), "in doubles they are one");
 }
 
+/// Points on short segments far from the origin, some of them off by what rounding takes: the filter of the call is never wrong,
+/// and decides most of what is not degenerate.
+#[test]
+fn the_local_filter_is_right_far_from_the_origin() {
+    let mut state = 9u64;
+    let mut random = || {
+        state =
+            state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        f64::from((state >> 40) as u32) / f64::from(1u32 << 24)
+    };
+    let (mut decided, mut calls) = (0, 0);
+    for round in 0..400i32 {
+        let scale = 2f64.powi(-(round % 40));
+        let near = |x: f64| 1e5 + x * scale;
+        let ends: Vec<[f64; 2]> = (0..8).map(|_| [near(random()), near(random())]).collect();
+        let mut kernel = Constructed::new(ends);
+        for i in 0..4u32 {
+            let t = Dyadic::from(random() * 0.9 + 0.05);
+            kernel.push(&Construction::SegmentPoint { a: 2 * i, b: 2 * i + 1, t }).unwrap();
+        }
+        // On the segment of two of them, in line up to rounding.
+        kernel.push(&Construction::SegmentPoint { a: 0, b: 1, t: (1.0 / 3.0).into() }).unwrap();
+        for call in [[8usize, 9, 10, 11], [8, 12, 0, 9], [8, 12, 9, 10], [0, 8, 12, 1]] {
+            let [a, b, c, q] = call;
+            let (orient, _) = kernel.orient_by_ring(&[0, 1], &[a, b, c]);
+            let locally = kernel.orient_locally(&[a, b, c]);
+            assert!(locally.is_none_or(|(sign, _)| sign == orient), "{round} {call:?}");
+            let (lifted, _) = kernel.lifted_by_ring(&[0, 1], &[a, b, c], q);
+            let locally = kernel.lifted_locally(&[a, b, c], q);
+            assert!(locally.is_none_or(|(sign, _)| sign == lifted), "{round} {call:?}");
+            let locally = kernel.dot_locally([a, b, c, q]);
+            let at = |v: usize| kernel.exact_at(v).x;
+            let from = |p: usize, q: usize| {
+                let [[x, y], [u, v]] = [at(p), at(q)];
+                [u - x, v - y]
+            };
+            let ([x, y], [u, v]) = (from(a, b), from(c, q));
+            let by_ring = (&x * &u + &y * &v).sign();
+            assert!(locally.is_none_or(|sign| sign == by_ring), "{round} {call:?}");
+            if call[1] == 9 && round % 40 < 20 {
+                calls += 1;
+                decided += usize::from(locally.is_some());
+            }
+        }
+    }
+    assert!(decided * 10 > calls * 9, "{decided} of {calls}");
+}
+
+#[test]
+fn the_last_vertex_can_be_taken_away() {
+    let mut kernel = Constructed::new(vec![[0.0, 0.0], [5.0, 1.0], [0.0, 2.0], [2.0, 0.0]]);
+    let before = kernel.clone();
+    let third = Construction::SegmentPoint { a: 1, b: 2, t: (1.0 / 3.0).into() };
+    for _ in 0..2 {
+        assert_eq!(kernel.push(&third), Ok(4));
+        assert_eq!(kernel.orient(&[1usize, 2, 4]), Sign::Zero);
+        assert!(!kernel.is_exact_position(4));
+        assert!(kernel.pop());
+        assert_eq!(kernel.push_plain([1.0, 1.0]), 4, "its id is free again");
+        assert_eq!(kernel.orient(&[1usize, 2, 4]), Sign::Positive);
+        assert!(kernel.is_exact_position(4) && kernel.is_plain(4));
+        assert!(kernel.pop());
+    }
+    assert_eq!(kernel.positions(), before.positions());
+    (0..4).for_each(|_| assert!(kernel.pop()));
+    assert!(!kernel.pop() && kernel.is_empty());
+}
+
 #[test]
 fn a_reordered_kernel_has_the_same_vertices() {
     let mut kernel = Constructed::new(vec![[0.0, 0.0], [4.0, 1.0], [0.0, 2.0], [2.0, 0.0]]);

@@ -15,8 +15,13 @@ pub(crate) fn nearest_ratio(a: &Dyadic, b: &Dyadic) -> f64 {
     if a.negative { -magnitude } else { magnitude }
 }
 
-/// `|a| / b = (q + r) 2^e` with q of 64 bits and 0 <= r < 1: q, e, and whether r is not zero. By long division, bit by bit.
+/// `|a| / b = (q + r) 2^e` with q of 64 bits and 0 <= r < 1: q, e, and whether r is not zero. By long division, bit by bit,
+/// unless b is a power of two.
 fn leading_bits(a: &Dyadic, b: &Dyadic) -> (u64, i64, bool) {
+    if b.mantissa[..] == [1] {
+        let (quotient, exponent, rest) = own_bits(a);
+        return (quotient, exponent - b.exponent, rest);
+    }
     let mut scale = a.top() - b.top();
     // Over one unit, with tops at the same place: the quotient is between 1/2 and 2.
     let (mut rest, divisor) = {
@@ -42,6 +47,19 @@ fn leading_bits(a: &Dyadic, b: &Dyadic) -> (u64, i64, bool) {
         rest = limbs::shifted(&rest, 1);
     }
     (quotient, scale - 63, !rest.is_empty())
+}
+
+/// The same of `|a|` itself, which is not zero.
+fn own_bits(a: &Dyadic) -> (u64, i64, bool) {
+    let (high, below) = a.mantissa.split_last().expect("the number is not zero");
+    let zeros = high.leading_zeros();
+    let low = below.last().copied().unwrap_or(0);
+    let both = (u128::from(*high) << 64 | u128::from(low)) << zeros;
+    let [quotient, left] = [both >> 64, both & u128::from(u64::MAX)];
+    let quotient = u64::try_from(quotient).expect("the upper half has 64 bits");
+    // A mantissa is odd: what is further down is not zero.
+    let exponent = a.exponent + limbs::length(64 * below.len()) - i64::from(zeros);
+    (quotient, exponent, left != 0 || below.len() > 1)
 }
 
 /// The double nearest to `(q + r) 2^e`, q having its top bit set.

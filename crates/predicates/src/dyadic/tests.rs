@@ -1,3 +1,4 @@
+use super::nearest::nearest_ratio;
 use super::*;
 
 #[test]
@@ -67,4 +68,42 @@ fn quotients_are_those_of_doubles() {
             assert_eq!(nearest_ratio(&(-a).into(), &b.into()), -a / b, "-{a:e} / {b:e}");
         }
     }
+}
+
+#[test]
+fn powers_of_two_move_the_exponent() {
+    for x in [1.0, -0.75, 5e-324, f64::MAX, 0.1] {
+        let number = Dyadic::from(x);
+        assert_eq!(number.clone().scaled(7).scaled(-8), number.clone().half());
+        let top = number.magnitude().unwrap();
+        let one = Dyadic::from(1);
+        let size = if x < 0.0 { -number } else { number };
+        assert!(one.clone().scaled(top) <= size && size < one.scaled(top + 1), "{x}");
+    }
+    assert_eq!(Dyadic::ZERO.scaled(9), Dyadic::ZERO);
+    assert_eq!(Dyadic::ZERO.magnitude(), None);
+}
+
+/// By long division of three times as much by three.
+#[test]
+fn a_power_of_two_below_needs_no_division() {
+    let three = Dyadic::from(3);
+    let mut number = Dyadic::from(0.1);
+    let mut lengths = std::collections::BTreeSet::new();
+    for step in 0..300 {
+        for shift in [0, -1100, -1074, 900] {
+            let x = number.clone().scaled(shift);
+            let halves = Dyadic::from(1).scaled(step - 150);
+            let (direct, divided) =
+                (nearest_ratio(&x, &halves), nearest_ratio(&(&x * &three), &(&halves * &three)));
+            assert_eq!(direct.to_bits(), divided.to_bits(), "{x:?}");
+        }
+        lengths.insert(number.mantissa().len());
+        let factor = Dyadic::from(if step % 7 == 6 { 1e-3 } else { 3.0 });
+        number = -(&number * &factor) + Dyadic::from(step).scaled(-60);
+        if step % 50 == 49 {
+            number = Dyadic::from(1.0 / (f64::from(u32::try_from(step).unwrap()) + 1.0));
+        }
+    }
+    assert!(lengths.len() > 3, "{lengths:?}");
 }

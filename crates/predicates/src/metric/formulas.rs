@@ -41,6 +41,17 @@ impl<const D: usize> Formula<D> for Lengths {
     }
 }
 
+/// The scalar product of two edges.
+pub(super) struct Dot;
+
+impl<const D: usize> Formula<D> for Dot {
+    type Answer = Sign;
+    fn answer<T: Signed>(&self, call: &Call<T, D>) -> Option<Sign> {
+        let [a, b, c, d] = call.points.as_slice() else { panic!("two edges have four ends") };
+        dot(&b.all_from(a), &d.all_from(c)).known_sign()
+    }
+}
+
 /// Of two times three points, the order of the angles.
 pub(super) struct Angles;
 

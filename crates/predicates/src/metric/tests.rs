@@ -74,6 +74,9 @@ fn right_triangles_have_half_the_hypotenuse() {
             let sides = kernel.compare_lengths([a, b], [b, c]);
             assert_eq!(sides, ab.total_cmp(&bc));
             assert_eq!(kernel.compare_angles([b, c, a], [c, a, b]), sides, "the longer side's");
+            assert_eq!(kernel.dot([b, a, b, c]), Sign::Zero);
+            assert_eq!(kernel.dot([a, b, a, c]), Sign::Positive);
+            assert_eq!(kernel.dot([a, b, c, a]), Sign::Negative);
             count += 1;
         }
     }

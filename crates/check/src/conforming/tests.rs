@@ -1,0 +1,124 @@
+use super::*;
+
+struct Data {
+    points: Vec<[f64; 2]>,
+    mantissa: Vec<u64>,
+    exponent: i64,
+    free: Option<[f64; 2]>,
+    cells: Vec<u32>,
+    segments: Vec<[u32; 2]>,
+    constrained: Vec<[u32; 2]>,
+    promise: Promise,
+}
+
+/// A kite whose long diagonal is split in its middle, by hand; `spoil` makes it wrong.
+fn judged(spoil: impl FnOnce(&mut Data)) -> Verdict {
+    let mut data = Data {
+        points: vec![[0.0, 0.0], [3.0, 1.0], [6.0, 0.0], [3.0, -1.0]],
+        mantissa: vec![1],
+        exponent: -1,
+        free: None,
+        cells: vec![0, 4, 1, 4, 2, 1, 0, 3, 4, 4, 3, 2],
+        segments: vec![[0, 2]],
+        constrained: vec![[0, 4], [2, 4]],
+        promise: Promise::EmptyDisks,
+    };
+    spoil(&mut data);
+    let on = SteinerPoint::On { ends: [0, 2], mantissa: &data.mantissa, exponent: data.exponent };
+    let steiner = [data.free.map_or(on, SteinerPoint::At)];
+    let conformed = Conformed {
+        points: &data.points,
+        steiner: &steiner,
+        cells: &data.cells,
+        segments: &data.segments,
+        constrained: &data.constrained,
+        promise: data.promise,
+    };
+    judge_conforming(&conformed, &Options::default())
+}
+
+#[test]
+fn the_right_answer_is_accepted() {
+    for (promise, level) in [
+        (Promise::Constrained, Level::Constrained),
+        (Promise::Conforming, Level::Conforming),
+        (Promise::EmptyDisks, Level::Conforming),
+    ] {
+        let verdict = judged(|data| data.promise = promise);
+        assert!(verdict.ok && verdict.level == level, "{verdict}");
+        let verdict = judged(|data| {
+            data.promise = promise;
+            data.free = Some([3.0, 0.0]); // as good
+        });
+        assert!(verdict.ok, "{verdict}");
+    }
+}
+
+#[test]
+fn each_fault_is_found() {
+    let rejected = |kind: &str, spoil: &dyn Fn(&mut Data)| {
+        let verdict = judged(spoil);
+        assert!(!verdict.ok && verdict.has(kind), "expected {kind} in\n{verdict}");
+    };
+    rejected("off-segment", &|data| data.exponent = 0); // the end itself
+    rejected("off-segment", &|data| data.mantissa = Vec::new()); // the other end
+    rejected("off-segment", &|data| data.mantissa = vec![3]);
+    rejected("off-segment", &|data| data.exponent = i64::MIN);
+    rejected("off-segment", &|data| data.exponent = -(1 << 40));
+    rejected("off-segment", &|data| data.segments.clear()); // on no segment then
+    rejected("off-segment", &|data| data.segments.push([1, 3])); // two cross there: not noded
+    rejected("broken-segment", &|data| data.free = Some([3.0, 1e-300])); // not on it
+    rejected("missing-flag", &|data| data.constrained.truncate(1));
+    rejected("bad-length", &|data| data.cells.push(0));
+    rejected("bad-length", &|data| data.segments.push([0, 4])); // segments are between points
+    rejected("not-finite", &|data| data.free = Some([f64::NAN, 0.0]));
+    rejected("negative-cell", &|data| data.cells.swap(0, 1));
+    rejected("unused-point", &|data| data.points.push([3.0, 0.5]));
+}
+
+/// A segment that stays constrained only: its diametral disk holds both others, and so does the circle.
+#[test]
+fn the_promises_differ() {
+    let points = [[0.0, 0.0], [6.0, 0.0], [3.0, 1.0], [3.0, -1.0]];
+    let high = [[0.0, 0.0], [6.0, 0.0], [3.0, 2.0], [3.0, -40.0]];
+    let judge = |points: &[[f64; 2]], promise| {
+        let conformed = Conformed {
+            points,
+            steiner: &[],
+            cells: &[0, 1, 2, 1, 0, 3],
+            segments: &[[0, 1]],
+            constrained: &[[0, 1]],
+            promise,
+        };
+        judge_conforming(&conformed, &Options::default())
+    };
+    assert!(judge(&points, Promise::Constrained).ok);
+    assert!(judge(&points, Promise::Conforming).has("not-delaunay"));
+    assert!(judge(&high, Promise::Conforming).ok, "an edge of the Delaunay triangulation");
+    assert!(judge(&high, Promise::EmptyDisks).has("encroached-edge"), "(3, 2) is 2 from (3, 0)");
+    // On the circle: closed disks.
+    let right = [[0.0, 0.0], [6.0, 0.0], [3.0, 3.0], [3.0, -40.0]];
+    assert!(judge(&right, Promise::Conforming).ok);
+    assert!(judge(&right, Promise::EmptyDisks).has("encroached-edge"));
+}
+
+/// Parameters of many limbs are read in full: a bit in the last place moves the vertex off the place where it ties.
+#[test]
+fn long_parameters_are_exact() {
+    let judge = |low: u64| {
+        let mantissa = [low, 0, 1 << 63];
+        let steiner = [SteinerPoint::On { ends: [0, 1], mantissa: &mantissa, exponent: -192 }];
+        let conformed = Conformed {
+            points: &[[0.0, 0.0], [2.0, 0.0], [1.0, 1.0], [1.0, -1.0], [1.0, 0.0]],
+            steiner: &steiner,
+            cells: &[0, 5, 2, 5, 1, 2, 0, 3, 5, 5, 3, 1],
+            segments: &[[0, 1]],
+            constrained: &[[0, 5], [1, 5]],
+            promise: Promise::Conforming,
+        };
+        judge_conforming(&conformed, &Options::default())
+    };
+    assert!(judge(0).ok, "the Steiner point stands for the equal point 4\n{}", judge(0));
+    let moved = judge(1);
+    assert!(moved.has("unused-point"), "point 4 is another vertex now\n{moved}");
+}

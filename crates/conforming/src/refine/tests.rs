@@ -1,0 +1,140 @@
+use delone_check::Promise;
+use delone_workloads::Rng;
+
+use super::*;
+use crate::testing::{judged, pslg};
+
+const METHODS: [(Centre, Encroachment); 4] = [
+    (Centre::Circumcentre, Encroachment::Disk),
+    (Centre::Circumcentre, Encroachment::Lens),
+    (Centre::OffCentre, Encroachment::Disk),
+    (Centre::OffCentre, Encroachment::Lens),
+];
+
+/// Refines by every method; the mesh judged, and whether the angles are those asked for where nothing is left alone.
+fn refined(graph: &Pslg, angle_deg_min: f64, area_max: f64) -> Vec<Refined> {
+    METHODS
+        .into_iter()
+        .map(|(centre, encroachment)| {
+            let limits = Limits { vertices_max: 30_000 };
+            let options =
+                RefineOptions { centre, encroachment, angle_deg_min, area_max, size: None, limits };
+            let refined = refine(graph, &Fill::Exterior, &options, &mut ()).unwrap();
+            let verdict = judged(graph, refined.triangulation(), Promise::Constrained);
+            assert!(verdict.ok, "{centre:?} {encroachment:?}: {verdict}");
+            assert!(refined.is_complete(), "{centre:?} {encroachment:?}");
+            assert!(refined.angle_deg_min_elsewhere() >= angle_deg_min - 1e-9);
+            refined
+        })
+        .collect()
+}
+
+fn polygon(corners: &[[f64; 2]]) -> Pslg {
+    let segments: Vec<[usize; 2]> =
+        (0..corners.len()).map(|i| [i, (i + 1) % corners.len()]).collect();
+    pslg(corners, &segments)
+}
+
+#[test]
+fn a_square_is_refined() {
+    let square = polygon(&[[0.0, 0.0], [8.0, 0.0], [8.0, 8.0], [0.0, 8.0]]);
+    for refined in refined(&square, 20.7, 1.0) {
+        assert_eq!(refined.left_alone(), []);
+        assert!(refined.cells().count() >= 64, "an area of 64 in parts of one at most");
+    }
+}
+
+#[test]
+fn slivers_get_the_angle_asked_for() {
+    for (corners, angle) in [
+        (vec![[0.0, 0.0], [10.0, 0.0], [10.0, 4.0], [0.0, 1.0]], 30.0),
+        (vec![[0.0, 0.0], [1000.0, 0.0], [1000.0, 1.0], [0.0, 1.0]], 20.7),
+        (vec![[0.0, 0.0], [100.0, 0.0], [50.0, 1.0]], 20.7),
+        (vec![[0.0, 0.0], [1.0, 0.0], [1e3, 1e3], [0.0, 1.0]], 25.0),
+    ] {
+        refined(&polygon(&corners), angle, f64::INFINITY);
+    }
+}
+
+#[test]
+fn nothing_inside_is_nothing_to_do() {
+    let graph = pslg(&[[0.0, 0.0], [1.0, 5.0], [2.0, 0.0], [9.0, 9.0]], &[[0, 1], [1, 2]]);
+    for refined in refined(&graph, 30.0, 0.1) {
+        assert_eq!((refined.cells().count(), refined.triangulation().kernel().len()), (0, 4));
+    }
+}
+
+#[test]
+fn doubles_too_coarse_are_reported() {
+    // Two units in the last place wide: there is hardly a double to put a vertex at.
+    let x = 1.0 + 2.0 * f64::EPSILON;
+    let graph = polygon(&[[1.0, 1.0], [x, 1.0], [x, 1.0 + 64.0 * f64::EPSILON]]);
+    let options = RefineOptions { angle_deg_min: 30.0, ..RefineOptions::default() };
+    let refined = refine(&graph, &Fill::Exterior, &options, &mut ()).unwrap();
+    assert!(refined.is_complete() && !refined.left_alone().is_empty());
+    let verdict = judged(&graph, refined.triangulation(), Promise::Constrained);
+    assert!(verdict.ok, "{verdict}");
+}
+
+/// Vertices come and go; the mesh stays the CDT, and pieces know their edges.
+#[test]
+fn free_vertices_come_and_go() {
+    let mut random = Rng::new(3);
+    let frame = [[0.0, 0.0], [16.0, 0.0], [16.0, 16.0], [0.0, 16.0], [3.0, 5.0], [11.0, 9.0]];
+    let graph = pslg(&frame, &[[0, 1], [1, 2], [2, 3], [3, 0], [4, 5]]);
+    for _ in 0..30 {
+        let cdt = cavity(&graph, &Options::default(), &mut ());
+        let mut live = Live::new(&cdt, &graph);
+        let mut present: Vec<VertexId> = Vec::new();
+        for _ in 0..60 {
+            if !present.is_empty() && random.below(3) == 0 {
+                let place = usize::try_from(random.below(present.len() as u64)).unwrap();
+                let v = present.swap_remove(place);
+                let cells = cells_of(&live);
+                let cell = cells.into_iter().find(|&c| live.mesh.corners(c).contains(&v)).unwrap();
+                live.remove_free(v, cell, &mut ());
+                continue;
+            }
+            let [x, y] = [0; 2].map(|_| f64::from(u32::try_from(random.below(15)).unwrap()) + 1.0);
+            let p = live.kernel.push_plain([x, y]);
+            let p = VertexId::new(p as usize);
+            let start = cells_of(&live).into_iter().find(|&c| !live.mesh.is_ghost(c)).unwrap();
+            match live.locate(start, p, &mut ()) {
+                Some(place @ (Place::Inside(_) | Place::On(_))) => {
+                    let cell = live.insert_free(place, p, &mut ());
+                    assert!(live.mesh.corners(cell).contains(&p));
+                    present.push(p);
+                }
+                _ => assert!(live.kernel.pop()),
+            }
+        }
+        // As refinement ends: by what is left.
+        let options = RefineOptions { angle_deg_min: 0.0, ..RefineOptions::default() };
+        let work = Work {
+            apexes: Apexes::new(&cdt, &live.kernel, live.sites),
+            live,
+            quality: Quality::new(&options),
+            inside: vec![true],
+            options: &options,
+            pieces: VecDeque::new(),
+            triangles: Queue::default(),
+            region: Region::default(),
+            left_alone: Vec::new(),
+            removed: 1,
+        };
+        let refined = work.finish(true);
+        let vertices = refined.triangulation().kernel().len();
+        assert_eq!(vertices, 6 + present.len());
+        let verdict = judged(&graph, refined.triangulation(), Promise::Constrained);
+        assert!(verdict.ok, "{verdict}");
+    }
+}
+
+/// Those that are not retired, by the numbers that they have.
+fn cells_of(live: &Live) -> Vec<CellId> {
+    let mut mesh = live.mesh.clone();
+    let mut number: Vec<CellId> = mesh.cells().collect();
+    mesh.compact(|from, to| number[to.index()] = number[from.index()]);
+    number.truncate(mesh.cell_count());
+    number
+}

@@ -1,0 +1,210 @@
+//! Conforming by protection: each segment is covered by disks that avoid all else, before any triangle is looked at.
+//!
+//! ```text
+//!        /              About a site z where segments meet at less than a right angle, all of them are cut at one radius,
+//!      .x.              a power of two at most a third of z's distance from what is not incident to it. What remains of a
+//!     /   \             segment is halved until the diametral disk of each part avoids all other segments and sites.
+//!    z--x--()-()--
+//! ```
+//!
+//! **Paper.** \[Saa91\] shows that finitely many such disks do, by compactness; the radii and the halving are ours. It adapts to
+//! no triangulation, and takes of the order of 1 / a points where segments meet at a small angle a: to compare with, not to use.
+//! **In, Out.** The pieces of a [`Live`] CDT; the same, split.
+//! **Invariants.** 1. The disk of a half is inside the disk of the whole: what avoids that avoids this. 2. Doubles steer: what
+//! they get wrong in the last bits is found by [`crate::Encroached`], which runs afterwards.
+//! **Cost.** O(n + m) for each segment and each site, and what is found near again for each half.
+//!
+//! **Degeneracies.**
+//! | case | answer | test |
+//! |---|---|---|
+//! | right or obtuse angles | no cut at the site: the disks touch there | `protection_of_a_square_and_a_cross` |
+//! | parts too short for doubles to halve | left to the adaptive method | `protection_leaves_slivers_to_the_limit` |
+
+use delone_mesh::VertexId;
+use delone_predicates::{Dyadic, Metric, Sign};
+use delone_probe::Probe;
+
+use crate::apexes::Apexes;
+use crate::conform::Limits;
+use crate::live::{Live, PieceId};
+use crate::ratio::{log4, root};
+
+/// Precision where no small angle asks for more.
+const BITS: u32 = 52;
+
+/// Parts shorter than this fraction of their segment are left alone.
+const PART_MIN: f64 = 1e-13;
+
+/// Cuts all segments. Whether that was done within the limits.
+pub(crate) fn protect(
+    live: &mut Live,
+    apexes: &Apexes,
+    limits: Limits,
+    probe: &mut impl Probe,
+) -> bool {
+    let scene = Scene::new(live, apexes);
+    let mut vertices = live.sites;
+    for segment in 0..live.segments.len() {
+        let room = limits.vertices_max.saturating_sub(vertices);
+        let Some(cuts) = scene.cuts(live, segment, room).filter(|_| probe.goes_on()) else {
+            return false;
+        };
+        vertices += cuts.len();
+        // Before the first split, pieces and segments have the same numbers.
+        let mut piece = PieceId::try_from(segment).expect("segments are fewer than ids");
+        for t in cuts {
+            live.split_piece(piece, t, probe);
+            piece = PieceId::try_from(live.pieces.len() - 1).expect("pieces are fewer than ids");
+        }
+    }
+    true
+}
+
+/// What disks avoid, in doubles, and the radii about sites.
+struct Scene {
+    points: Vec<[f64; 2]>,
+    segments: Vec<[u32; 2]>,
+    /// The square of the radius at which the segments of a site are cut.
+    radii: Vec<Option<Dyadic>>,
+    bits: Vec<u32>,
+}
+
+/// A segment or a site, by index.
+#[derive(Clone, Copy)]
+enum Feature {
+    Segment(usize),
+    Site(u32),
+}
+
+impl Scene {
+    fn new(live: &Live, apexes: &Apexes) -> Self {
+        let points: Vec<[f64; 2]> = live.kernel.positions()[..live.sites].to_vec();
+        let bits = (0..live.sites).map(|v| apexes.bits(VertexId::new(v)).unwrap_or(BITS));
+        let mut scene = Self {
+            points,
+            segments: live.segments.clone(),
+            radii: vec![None; live.sites],
+            bits: bits.collect(),
+        };
+        let mut spokes: Vec<Vec<u32>> = vec![Vec::new(); live.sites];
+        for &[a, b] in &live.segments {
+            spokes[a as usize].push(b);
+            spokes[b as usize].push(a);
+        }
+        for (site, ends) in (0u32..).zip(&spokes) {
+            if has_narrow_angle(live, site, ends) {
+                scene.radii[site as usize] = scene.radius(site);
+            }
+        }
+        scene
+    }
+
+    /// The square of a power of two that is at most a third of the site's distance from what is not incident to it.
+    fn radius(&self, site: u32) -> Option<Dyadic> {
+        let z = self.points[site as usize];
+        let others = self.features().filter(|&feature| match feature {
+            Feature::Site(other) => other != site,
+            Feature::Segment(s) => !self.segments[s].contains(&site),
+        });
+        let distance =
+            others.map(|feature| self.distance(z, feature)).fold(f64::INFINITY, f64::min);
+        let third = Dyadic::from(Some(distance / 3.0).filter(|d| d.is_normal())?);
+        Some(Dyadic::from(1).scaled(2 * log4(&(&third * &third))))
+    }
+
+    fn features(&self) -> impl Iterator<Item = Feature> + '_ {
+        let sites = (0u32..).take(self.points.len()).map(Feature::Site);
+        (0..self.segments.len()).map(Feature::Segment).chain(sites)
+    }
+
+    fn distance(&self, p: [f64; 2], feature: Feature) -> f64 {
+        let [a, b] = match feature {
+            Feature::Site(site) => [site; 2],
+            Feature::Segment(s) => self.segments[s],
+        };
+        let [a, b] = [a, b].map(|v| self.points[v as usize]);
+        let (along, off) = ([b[0] - a[0], b[1] - a[1]], [p[0] - a[0], p[1] - a[1]]);
+        let square = along[0] * along[0] + along[1] * along[1];
+        let t = (off[0] * along[0] + off[1] * along[1]) / square;
+        let t = if t.is_nan() { 0.0 } else { t.clamp(0.0, 1.0) };
+        (off[0] - t * along[0]).hypot(off[1] - t * along[1])
+    }
+
+    /// The parameters at which a segment is cut, in increasing order; `None` if there are more than `room`.
+    fn cuts(&self, live: &Live, segment: usize, room: usize) -> Option<Vec<Dyadic>> {
+        let [a, b] = self.segments[segment];
+        let square =
+            live.squared_length(u32::try_from(segment).expect("segments are fewer than ids"));
+        let cut = |site: u32| {
+            let radius = self.radii[site as usize].as_ref()?;
+            Some(root(radius, &square, self.bits[site as usize]))
+        };
+        let (first, last) = (cut(a), cut(b).map(|t| Dyadic::from(1) - t));
+        let mut cuts: Vec<Dyadic> = first.iter().chain(&last).cloned().collect();
+        let touched = [(a, &first), (b, &last)].map(|(site, cut)| cut.is_none().then_some(site));
+        let ends = [first.unwrap_or(Dyadic::ZERO), last.unwrap_or(Dyadic::from(1))];
+        let near: Vec<Feature> = self
+            .features()
+            .filter(|&feature| match feature {
+                Feature::Site(site) => site != a && site != b,
+                Feature::Segment(s) => s != segment,
+            })
+            .collect();
+        let mut parts = vec![(ends, touched, near)];
+        while let Some((ends, touched, near)) = parts.pop() {
+            let near = self.within_disk(segment, &ends, touched, &near);
+            if near.is_empty() {
+                continue;
+            }
+            if cuts.len() >= room {
+                return None;
+            }
+            let [t0, t1] = ends;
+            let middle = (t0.clone() + &t1).half();
+            cuts.push(middle.clone());
+            parts.push(([middle.clone(), t1], [None, touched[1]], near.clone()));
+            parts.push(([t0, middle], [touched[0], None], near)); // Inv 1
+        }
+        cuts.sort();
+        Some(cuts)
+    }
+
+    /// Which of the features are in the diametral disk of a part, but for those that meet it in an end; none if the part is
+    /// too short.
+    fn within_disk(
+        &self,
+        segment: usize,
+        ends: &[Dyadic; 2],
+        touched: [Option<u32>; 2],
+        features: &[Feature],
+    ) -> Vec<Feature> {
+        let [t0, t1] = ends.each_ref().map(Dyadic::to_f64);
+        if t1 - t0 < PART_MIN {
+            return Vec::new();
+        }
+        let [a, b] = self.segments[segment].map(|v| self.points[v as usize]);
+        let at = |t: f64| [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])];
+        let [p, q] = [at(t0), at(t1)];
+        let (centre, radius) = (at(t0.midpoint(t1)), (q[0] - p[0]).hypot(q[1] - p[1]) / 2.0);
+        let meets = |feature: Feature| match feature {
+            Feature::Site(_) => false,
+            Feature::Segment(s) => {
+                touched.iter().flatten().any(|site| self.segments[s].contains(site))
+            }
+        };
+        let inside =
+            |&feature: &Feature| !meets(feature) && self.distance(centre, feature) <= radius;
+        features.iter().copied().filter(inside).collect()
+    }
+}
+
+/// Whether two of the segments from a site to these ends make less than a right angle.
+fn has_narrow_angle(live: &Live, site: u32, ends: &[u32]) -> bool {
+    let acute =
+        |u: u32, w: u32| live.kernel.dot([site, u, site, w].map(|v| v as usize)) == Sign::Positive;
+    // Of five directions two are closer than a right angle.
+    ends.len() > 4 || ends.iter().enumerate().any(|(i, &u)| ends[..i].iter().any(|&w| acute(u, w)))
+}
+
+#[cfg(test)]
+mod tests;

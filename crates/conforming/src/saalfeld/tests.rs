@@ -1,0 +1,32 @@
+use delone_check::Promise;
+
+use crate::testing::{judged, pslg};
+use crate::{ConformOptions, Limits, conform_by_protection};
+
+#[test]
+fn protection_of_a_square_and_a_cross() {
+    let square = [[0.0, 0.0], [8.0, 0.0], [8.0, 8.0], [0.0, 8.0]];
+    let graph = pslg(&square, &[[0, 1], [1, 2], [2, 3], [3, 0]]);
+    let conforming = conform_by_protection(&graph, &ConformOptions::default(), &mut ());
+    assert!(judged(&graph, &conforming, Promise::EmptyDisks).ok);
+    assert_eq!(conforming.steiner_points(), [], "disks touch in the corners and avoid the rest");
+    // A segment one unit from another asks for parts of two units at most, at once and without a triangulation.
+    let lines = [[0.0, 0.0], [16.0, 0.0], [0.0, 1.0], [16.0, 1.0]];
+    let graph = pslg(&lines, &[[0, 1], [2, 3]]);
+    let conforming = conform_by_protection(&graph, &ConformOptions::default(), &mut ());
+    assert!(judged(&graph, &conforming, Promise::EmptyDisks).ok);
+    assert_eq!(conforming.steiner_points().len(), 2 * 15, "halves of 16 below 2 are 1");
+}
+
+#[test]
+fn protection_leaves_slivers_to_the_limit() {
+    let wedge = |height: f64| pslg(&[[0.0, 0.0], [64.0, height], [64.0, 0.0]], &[[0, 1], [0, 2]]);
+    let limits = Limits { vertices_max: 2_000 };
+    let options = ConformOptions { limits, ..ConformOptions::default() };
+    let conforming = conform_by_protection(&wedge(1.0), &options, &mut ());
+    assert!(conforming.is_complete());
+    assert!(judged(&wedge(1.0), &conforming, Promise::EmptyDisks).ok);
+    let conforming = conform_by_protection(&wedge(1e-9), &options, &mut ());
+    assert!(!conforming.is_complete(), "a billion points");
+    assert!(judged(&wedge(1e-9), &conforming, Promise::Constrained).ok);
+}

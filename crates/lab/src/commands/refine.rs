@@ -1,0 +1,169 @@
+//! `delone refine`: read, validate, refine what is inside, judge, write, tell.
+
+use std::path::Path;
+use std::time::Instant;
+
+use delone_check::Promise;
+use delone_conforming::{
+    Centre, Encroachment, Limits, Reason, RefineOptions, Refined, SizeField, refine as refined,
+};
+use serde_json::{Map, Value, json};
+
+use super::conform::write_and_tell;
+use super::triangulate::written;
+use crate::cli;
+use crate::failure::Failure;
+use crate::progress::Progress;
+use crate::result::{Outcome, Seconds};
+use crate::subject::{Subject, refusal};
+use crate::watch::{self, Watch};
+use crate::{fill, input, output, steiner};
+
+pub(crate) fn refine(arguments: &cli::Refine) -> Result<(), Failure> {
+    let limit = watch::limit(arguments.limits.time_limit)?;
+    check_bounds(arguments)?;
+    let field = arguments.size.as_deref().map(Field::read).transpose()?;
+    let report = &arguments.report;
+    let start = Instant::now();
+    let document = input::read(&arguments.source.input, arguments.source.format.as_deref())?;
+    let subject = Subject::graph(document)?;
+    let pslg = steiner::graph(&subject);
+    for path in &report.outputs {
+        output::format_to_write(path)?;
+    }
+    output::check_paths(written(report))?;
+    let mut seconds = Seconds { read: start.elapsed().as_secs_f64(), ..Seconds::default() };
+    let size = field.as_ref().map(|field| |place: [f64; 2]| field.at(place));
+    let size = size.as_ref().map(|size| size as &dyn Fn([f64; 2]) -> f64);
+    let options = options(arguments, size);
+    let mut progress = Progress::new(arguments.method.name(), report.voice.quiet);
+    let clock = Instant::now();
+    let listener = report.counts.then_some(&mut progress);
+    let rule = fill::rule(arguments.fill, &subject);
+    let refined = refined(pslg, &rule, &options, &mut Watch::start(listener, limit))
+        .map_err(|error| refusal(&subject.document, &error.to_string()))?;
+    seconds.build = clock.elapsed().as_secs_f64();
+    progress.finish();
+    let conforming = refined.triangulation();
+    let result = steiner::Result { subject: &subject, pslg, conforming, inside: Some(&refined) };
+    let clock = Instant::now();
+    let verdict = report.check.then(|| result.verdict(Promise::Constrained));
+    seconds.check = report.check.then(|| clock.elapsed().as_secs_f64());
+    let mut extra = result.keys();
+    extra.extend(keys(&refined, report.voice.json));
+    let mut outcome = Outcome {
+        schema: "delone.refine/1",
+        subject: &subject,
+        algorithm: arguments.method.name(),
+        kernel: "constructed",
+        fingerprint: conforming.fingerprint().to_string(),
+        sizes: result.sizes(),
+        seconds,
+        counts: report.counts.then_some(progress.counts),
+        verdict,
+        extra,
+        notes: subject.document.notes.clone(),
+    };
+    write_and_tell(report, &result, &mut outcome)
+}
+
+fn options<'a>(arguments: &cli::Refine, size: Option<SizeField<'a>>) -> RefineOptions<'a> {
+    RefineOptions {
+        centre: match arguments.method {
+            cli::Refinement::OffCentre => Centre::OffCentre,
+            cli::Refinement::Chew | cli::Refinement::Ruppert => Centre::Circumcentre,
+        },
+        encroachment: match arguments.method {
+            cli::Refinement::OffCentre | cli::Refinement::Chew => Encroachment::Lens,
+            cli::Refinement::Ruppert => Encroachment::Disk,
+        },
+        angle_deg_min: arguments.angle_min,
+        area_max: arguments.area_max.unwrap_or(f64::INFINITY),
+        size,
+        limits: Limits { vertices_max: arguments.limits.vertices_max.unwrap_or(usize::MAX) },
+    }
+}
+
+/// Angles, and what is left alone: each triangle by its vertices, and why.
+fn keys(refined: &Refined, all: bool) -> Map<String, Value> {
+    let mut keys = Map::new();
+    keys.insert("cells_inside".to_owned(), json!(refined.cells().count()));
+    keys.insert("angle_deg_min".to_owned(), json!(refined.angle_deg_min()));
+    keys.insert("angle_deg_min_elsewhere".to_owned(), json!(refined.angle_deg_min_elsewhere()));
+    let mesh = refined.triangulation().mesh();
+    let left = refined.left_alone().iter().map(|left| {
+        let corners: Vec<usize> = mesh.corners(left.cell).iter().map(|v| v.index()).collect();
+        let reason = match left.reason {
+            Reason::InputAngle => "input angle",
+            Reason::Unreachable => "unreachable in doubles",
+            Reason::Limit => "limit",
+        };
+        json!({ "vertices": corners, "reason": reason })
+    });
+    let left: Vec<Value> = left.collect();
+    let told = if all { json!(left) } else { json!(left.len()) };
+    keys.insert("left_alone".to_owned(), told);
+    keys
+}
+
+fn check_bounds(arguments: &cli::Refine) -> Result<(), Failure> {
+    let angle = arguments.angle_min;
+    if !(0.0..60.0).contains(&angle) {
+        return Err(Failure::input(format!("--angle-min {angle}: give 0 to less than 60 degrees")));
+    }
+    match arguments.area_max {
+        Some(area) if area.is_nan() || area <= 0.0 => {
+            Err(Failure::input(format!("--area-max {area}: give a number over 0")))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Sizes by place.
+enum Field {
+    One(f64),
+    /// Places and their sizes.
+    Places(Vec<[f64; 3]>),
+}
+
+impl Field {
+    /// From a number, or a file of lines `x y size`.
+    fn read(word: &str) -> Result<Self, Failure> {
+        let wrong = |what: &str| Failure::input(format!("--size {word}: {what}"));
+        let sound = |size: &f64| size.is_finite() && *size > 0.0;
+        if let Ok(size) = word.parse::<f64>() {
+            let size = Some(size).filter(sound);
+            return size.map(Self::One).ok_or_else(|| wrong("give a number over 0"));
+        }
+        let text = std::fs::read_to_string(Path::new(word))
+            .map_err(|error| wrong(&format!("no number, and no file: {error}")))?;
+        let mut places = Vec::new();
+        for (number, line) in (1..).zip(text.lines()) {
+            let line = line.split('#').next().unwrap_or("");
+            let words = line.split(|c: char| c == ',' || c.is_whitespace());
+            let words: Vec<&str> = words.filter(|word| !word.is_empty()).collect();
+            if words.is_empty() {
+                continue;
+            }
+            let numbers: Vec<f64> = words.iter().filter_map(|word| word.parse().ok()).collect();
+            match numbers[..] {
+                [x, y, size] if words.len() == 3 && (x + y).is_finite() && sound(&size) => {
+                    places.push([x, y, size]);
+                }
+                _ => return Err(wrong(&format!("line {number}: give x, y and a size over 0"))),
+            }
+        }
+        if places.is_empty() { Err(wrong("no places")) } else { Ok(Self::Places(places)) }
+    }
+
+    /// The least over all places of the size there and the distance to it.
+    fn at(&self, [x, y]: [f64; 2]) -> f64 {
+        match self {
+            Self::One(size) => *size,
+            Self::Places(places) => {
+                let sizes = places.iter().map(|&[px, py, size]| size + (px - x).hypot(py - y));
+                sizes.fold(f64::INFINITY, f64::min)
+            }
+        }
+    }
+}

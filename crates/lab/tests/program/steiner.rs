@@ -1,0 +1,105 @@
+//! Commands that add Steiner points.
+
+use serde_json::Value;
+
+use super::{CROSS, KITE, folder, run};
+
+/// The kite with markers and an attribute: 10, 20, 30, 40.
+const MARKED: &str = "4 2 1 1\n1 0 0 10 1\n2 3 1 20 2\n3 6 0 30 3\n4 3 -1 40 4\n1 1\n1 1 3 7\n0\n";
+
+#[test]
+fn conform_tells_the_keys_of_the_contract() {
+    let folder = folder();
+    std::fs::write(folder.path().join("kite.poly"), KITE).unwrap();
+    for method in ["delaunay", "gabriel", "saalfeld"] {
+        let words = ["conform", "kite.poly", "--method", method, "--json", "--check", "--counts"];
+        let (status, out, error) = run(folder.path(), &words);
+        assert_eq!(status, 0, "{error}");
+        let object: Value = serde_json::from_str(&out).unwrap();
+        assert_eq!(object["schema"], "delone.conform/1");
+        assert_eq!(object["algorithm"], method);
+        let steiner = object["steiner"].as_u64().unwrap();
+        assert!(steiner >= 1, "the long diagonal is missing");
+        assert_eq!(object["vertices"].as_u64().unwrap(), 4 + steiner);
+        assert_eq!(object["counts"]["steiner_points"].as_u64().unwrap(), steiner);
+        assert_eq!(object["check"]["level"], "conforming delaunay");
+        assert_eq!((&object["complete"], &object["check"]["ok"]), (&true.into(), &true.into()));
+        assert_eq!(object["rounding_keeps_validity"], true);
+    }
+}
+
+#[test]
+fn limits_leave_a_valid_partial_result() {
+    let folder = folder();
+    std::fs::write(folder.path().join("kite.poly"), KITE).unwrap();
+    let words = ["conform", "kite.poly", "--vertices-max", "4", "--json", "--check", "-o", "a.ele"];
+    let (status, out, error) = run(folder.path(), &words);
+    assert_eq!(status, 3);
+    assert!(error.contains("a limit was reached with 4 vertices"), "{error}");
+    let object: Value = serde_json::from_str(&out).unwrap();
+    assert_eq!((&object["complete"], &object["check"]["ok"]), (&false.into(), &true.into()));
+    assert_eq!(object["check"]["level"], "constrained delaunay");
+    assert!(folder.path().join("a.ele").is_file());
+    std::fs::write(folder.path().join("cross.poly"), CROSS).unwrap();
+    let (status, _, error) = run(folder.path(), &["conform", "cross.poly"]);
+    assert_eq!(status, 2);
+    assert!(error.contains("cross"), "{error}");
+}
+
+#[test]
+fn markers_and_attributes_are_carried() {
+    let folder = folder();
+    std::fs::write(folder.path().join("kite.poly"), MARKED).unwrap();
+    let (status, _, error) = run(folder.path(), &["conform", "kite.poly", "-o", "out.poly"]);
+    assert_eq!(status, 0, "{error}");
+    let text = std::fs::read_to_string(folder.path().join("out.poly")).unwrap();
+    let rows: Vec<Vec<&str>> = text
+        .lines()
+        .filter(|line| !line.starts_with('#') && !line.trim().is_empty())
+        .map(|line| line.split_whitespace().collect())
+        .collect();
+    // The Steiner point is in the middle of the segment from 10 to 30, and has its marker, as both parts have.
+    assert_eq!(rows[5], ["5", "3", "0", "20", "7"], "{text}");
+    assert_eq!(rows[6], ["2", "1"], "{text}");
+    assert_eq!([rows[7][3], rows[8][3]], ["7", "7"], "{text}");
+}
+
+/// A rectangle with a thin slit of a hole.
+const HOLED: &str = "8 2 0 0\n1 0 0\n2 40 0\n3 40 20\n4 0 20\n5 10 9\n6 30 9\n7 30 10\n8 10 10\n8 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n\
+                     5 5 6\n6 6 7\n7 7 8\n8 8 5\n0\n";
+
+#[test]
+fn refine_tells_the_keys_of_the_contract() {
+    let folder = folder();
+    std::fs::write(folder.path().join("holed.poly"), HOLED).unwrap();
+    std::fs::write(folder.path().join("sizes.txt"), "0, 0, 1\n40 20 9 # far\n").unwrap();
+    let refined = |words: &[&str]| -> Value {
+        let words = [&["refine", "holed.poly", "--json", "--check"], words].concat();
+        let (status, out, error) = run(folder.path(), &words);
+        assert_eq!(status, 0, "{error}");
+        serde_json::from_str(&out).unwrap()
+    };
+    let mut counts = Vec::new();
+    for method in ["off-centre", "chew", "ruppert"] {
+        let object = refined(&["--method", method, "--angle-min", "28", "--fill", "nesting"]);
+        assert_eq!(
+            (&object["schema"], &object["algorithm"]),
+            (&"delone.refine/1".into(), &method.into())
+        );
+        assert_eq!((&object["check"]["ok"], &object["complete"]), (&true.into(), &true.into()));
+        assert!(object["angle_deg_min"].as_f64().unwrap() >= 28.0 - 1e-9, "{object}");
+        assert_eq!(object["left_alone"], Value::Array(Vec::new()));
+        assert_eq!(object["vertices"].as_u64().unwrap(), 8 + object["steiner"].as_u64().unwrap());
+        counts.push(object["cells_inside"].as_u64().unwrap());
+    }
+    // Bounds on size take more.
+    let fine = refined(&["--area-max", "2", "--fill", "nesting"]);
+    assert!(fine["cells_inside"].as_u64().unwrap() >= 390, "an area of 780 by 2");
+    let graded = refined(&["--size", "sizes.txt"]);
+    assert!(graded["cells_inside"].as_u64().unwrap() > counts[0]);
+    for words in [["--angle-min", "60"], ["--area-max", "-1"], ["--size", "none"], ["--size", "0"]]
+    {
+        let words = [&["refine", "holed.poly"][..], &words[..]].concat();
+        assert_eq!(run(folder.path(), &words).0, 2, "{words:?}");
+    }
+}

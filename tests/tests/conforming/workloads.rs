@@ -1,0 +1,56 @@
+//! The corpus.
+
+use delone::check::Promise;
+use delone::conforming::{ConformOptions, Limits, methods};
+use delone_tests::corpus::{Size, pslgs};
+
+use crate::{judged, promise};
+
+/// With vertices that no input of the corpus needs, but for protection.
+fn enough(method: &str) -> ConformOptions {
+    let vertices_max = if method == "saalfeld" { 1_000 } else { 20_000 };
+    ConformOptions { limits: Limits { vertices_max }, ..ConformOptions::default() }
+}
+
+#[test]
+fn all_methods_conform_on_the_corpus() {
+    for case in pslgs(Size::Small).into_iter().chain(pslgs(Size::Middle)) {
+        let pslg = case.pslg();
+        let mut counts = Vec::new();
+        for method in methods() {
+            let result = (method.run)(&pslg, &enough(method.name), &mut ());
+            counts.push(result.steiner_points().len());
+            // Protection takes of the order of 1 / a points at small angles a.
+            let may_stop = method.name == "saalfeld";
+            let name = format!("{} {}", method.name, case.name);
+            assert!(result.is_complete() || may_stop, "{name}: {counts:?}");
+            if result.mesh().dimension() != Some(2) {
+                assert_eq!(result.steiner_points(), [], "{}", case.name);
+                continue;
+            }
+            let promise =
+                if result.is_complete() { promise(&method) } else { Promise::Constrained };
+            let verdict = judged(&pslg, &result, promise);
+            assert!(verdict.ok, "{name}: {verdict}");
+        }
+        assert!(counts[0] <= counts[1], "{}: {counts:?}", case.name);
+    }
+}
+
+#[test]
+fn order_leaves_no_trace() {
+    for case in pslgs(Size::Small) {
+        let shuffled = case.shuffled(7);
+        for method in methods() {
+            let options = enough(method.name);
+            let print =
+                [&case, &shuffled].map(|case| (method.run)(&case.pslg(), &options, &mut ()));
+            if !print[0].is_complete() {
+                assert_eq!(method.name, "saalfeld", "{}", case.name);
+                continue;
+            }
+            let [first, second] = print.map(|result| result.fingerprint());
+            assert_eq!(first, second, "{} {}", method.name, case.name);
+        }
+    }
+}
