@@ -9,7 +9,7 @@
 //! ```
 //!
 //! **Paper.** [Che89] (and its conference form of 1987): O(n log n) in the worst case. Where we differ: Chew's infinite
-//! vertices, where half of a segment leaves the slab, are not stored. Both halves of each segment stand in the rings of
+//! vertices, where half of a segment leaves the slab, are not stored. Narrow slabs are divided region by region (`divide.rs`). Both halves of each segment stand in the rings of
 //! their ends from the start, and a half whose other end is outside the slab is known by that end's index. Windows are
 //! merged as in Guibas and Stolfi's Delaunay algorithm [GS85], with faces told from gaps by walking round them.
 //! **In.** A noded PSLG as a kernel over its sites in lexicographic order, and subsegments as pairs of ranks.

@@ -17,6 +17,7 @@
 //! | module | paper | time | when |
 //! |---|---|---|---|
 //! | [`from_points()`] | \[SB15\] | that of [`cavity()`] | points and segments, to be noded on the way: the quickest |
+//! | [`chew_from_points()`] | \[Che89\], \[SH76\] | that of [`chew()`] | the same by one sweep and [`chew()`] |
 //! | [`chew()`] | \[Che89\] | O(n log n), whatever the segments | long segments that cross everything |
 //! | [`cavity()`] | \[SB15\] | Delaunay, then expected O(1) for each edge crossed | short segments, as on maps |
 //! | [`flips()`] | \[Slo93\], \[Law77\] | Delaunay, then O(m^2) flips for m edges crossed | to compare |
