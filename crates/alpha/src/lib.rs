@@ -5,6 +5,7 @@ mod bulk;
 mod filtration;
 mod geometry;
 mod intervals;
+mod measures;
 mod param;
 mod persistence;
 mod simplices;
@@ -14,7 +15,10 @@ mod testing;
 
 pub use betti::Curves;
 pub use filtration::AlphaFiltration;
+pub use delone_predicates::SquaredRadius;
+
 pub use intervals::{Interval, Mode, Status, VertexConvention};
+pub use measures::fraction;
 pub use param::{AlphaParam, Critical, Cut, ParamError};
 pub use persistence::{Bar, Pair, Persistence};
 pub use simplices::{SimplexId, Simplices};

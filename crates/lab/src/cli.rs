@@ -1,10 +1,14 @@
 //! The command line: every command and option, with what `--help` says.
 
+mod alpha;
+
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
+
+pub(crate) use alpha::{Alpha, Asked, Mode};
 
 #[derive(Parser)]
 #[command(
@@ -34,6 +38,8 @@ pub(crate) enum Command {
     Delaunay(Triangulate),
     /// Constrained Delaunay triangulation of a planar straight-line graph
     Cdt(Cdt),
+    /// Alpha complex of points, or its filtration, signature or persistent homology
+    Alpha(Box<Alpha>),
     /// Triangulate the inside of a soup of boundary edges, holes unknown
     #[command(name = "triangulate2d")]
     Triangulate2d(Triangulate2d),

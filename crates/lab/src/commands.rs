@@ -1,5 +1,6 @@
 //! One file for each command.
 
+mod alpha;
 mod check;
 mod classroom;
 mod compare;
@@ -19,6 +20,7 @@ pub(crate) fn run(command: &Command) -> Result<(), Failure> {
         Command::Compare(arguments) => compare::compare(arguments),
         Command::Delaunay(arguments) => triangulate::delaunay(arguments),
         Command::Cdt(arguments) => triangulate::cdt(arguments),
+        Command::Alpha(arguments) => alpha::alpha(arguments),
         Command::Triangulate2d(arguments) => triangulate2d::triangulate2d(arguments),
         Command::Check(arguments) => check::check(arguments),
         Command::Gen(arguments) => generate::generate(arguments),
