@@ -34,6 +34,7 @@ pub(crate) use formulas::Radii;
 
 mod ball;
 mod formulas;
+mod quick;
 #[cfg(test)]
 mod tests;
 mod words;
@@ -128,6 +129,9 @@ pub trait Metric<const D: usize>: Kernel<D> {
     /// If the simplex has no vertices.
     fn radius_bounds<V: Id>(&self, simplex: &[V]) -> [f64; 2] {
         let vertices = simplex.iter().copied();
+        if let Some(bounds) = with_plain(self, vertices.clone(), quick::bounds).flatten() {
+            return bounds;
+        }
         let points: SmallVec<[_; 4]> =
             vertices.clone().map(|v| self.approximate_point(v)).collect();
         let weights: Weights<_> = weights(self, vertices).map(Approximate::exact).collect();
@@ -143,8 +147,26 @@ pub trait Metric<const D: usize>: Kernel<D> {
     fn in_smallest_sphere<V: Id>(&self, simplex: &[V], q: V) -> Sign {
         assert!(!simplex.is_empty(), "a simplex has a vertex");
         let vertices = simplex.iter().copied().chain([q]);
+        if let Some(sign) = with_plain(self, vertices.clone(), quick::in_ball).flatten() {
+            return sign;
+        }
         decided(self, &InBall, vertices.clone(), weights(self, vertices))
     }
+}
+
+/// Calls `answer` with the points, if there are at most four and all are plain.
+#[inline(always)]
+fn with_plain<const D: usize, V: Id, K: Metric<D> + ?Sized, A>(
+    kernel: &K,
+    vertices: impl Iterator<Item = V>,
+    answer: impl FnOnce(&[[f64; D]]) -> A,
+) -> Option<A> {
+    let (mut points, mut count) = ([[0.0; D]; 4], 0);
+    for v in vertices {
+        *points.get_mut(count)? = kernel.plain_point(v)?;
+        count += 1;
+    }
+    Some(answer(&points[..count]))
 }
 
 /// The answer: in words if the points are plain and short; else by doubles if they suffice, and exactly if not.

@@ -235,3 +235,31 @@ fn radius_bounds_hold_the_radius() {
     }
     assert!(narrow > 800, "{narrow}");
 }
+
+/// Coordinates of 53 bits, and queries near the sphere: rounded points of it.
+#[test]
+fn in_smallest_sphere_is_exact_near_the_sphere() {
+    let mut state = 17;
+    for round in 0..2000 {
+        let unit = [1.0, 2f64.powi(-600), 2f64.powi(300), 2f64.powi(-90)][round % 4];
+        let mut points: [[f64; 3]; 4] =
+            std::array::from_fn(|_| [0; 3].map(|_| whole(&mut state, 53) * unit));
+        // The antipode of a vertex, mirrored in the middle of an edge or in the centre of a right triangle.
+        let simplex = &[0usize, 1, 2][..2 + round % 2];
+        let (a, b) = (points[0], points[1]);
+        let mirrored = std::array::from_fn(|x| a[x] + b[x] - points[2][x]);
+        if round % 3 == 0 {
+            points[3] = mirrored;
+        }
+        let q = if simplex.len() == 2 { 2 } else { 3 };
+        if simplex.len() == 2 && round % 3 == 1 {
+            points[2] = [a[0], b[1], b[2]]; // a corner of the box of an edge is on its sphere
+        }
+        let (ours, exact) = (Adaptive::new(points), Exact::new(points));
+        assert_eq!(
+            ours.in_smallest_sphere(simplex, q),
+            exact.in_smallest_sphere(simplex, q),
+            "{points:?}"
+        );
+    }
+}
