@@ -8,6 +8,7 @@ mod intervals;
 mod measures;
 mod param;
 mod persistence;
+mod polygons;
 mod simplices;
 #[cfg(test)]
 #[expect(clippy::cast_possible_truncation, reason = "the numbers of the tests are small integers")]
@@ -21,4 +22,5 @@ pub use intervals::{Interval, Mode, Status, VertexConvention};
 pub use measures::fraction;
 pub use param::{AlphaParam, Critical, Cut, ParamError};
 pub use persistence::{Bar, Pair, Persistence};
+pub use polygons::{Polygons, Region};
 pub use simplices::{SimplexId, Simplices};
