@@ -1,6 +1,7 @@
 //! The command line: every command and option, with what `--help` says.
 
 mod alpha;
+mod exercise;
 
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
@@ -9,6 +10,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
 pub(crate) use alpha::{Alpha, Asked, Mode};
+pub(crate) use exercise::{Method, Piped, Sample, SvgToLar, Text};
 
 #[derive(Parser)]
 #[command(
@@ -40,6 +42,13 @@ pub(crate) enum Command {
     Cdt(Cdt),
     /// Alpha complex of points, or its filtration, signature or persistent homology
     Alpha(Box<Alpha>),
+    /// Draw a text in outlines, as SVG
+    Text(Text),
+    /// Read the paths of an SVG drawing as a model (V, EV), y up, the longer side at most 1
+    #[command(name = "svg2lar")]
+    SvgToLar(SvgToLar),
+    /// Sample random points inside a drawing, by the even-odd rule
+    Sample(Sample),
     /// Triangulate the inside of a soup of boundary edges, holes unknown
     #[command(name = "triangulate2d")]
     Triangulate2d(Triangulate2d),

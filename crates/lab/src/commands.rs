@@ -6,6 +6,7 @@ mod classroom;
 mod compare;
 mod convert;
 mod draw;
+mod exercise;
 mod generate;
 mod meta;
 mod triangulate;
@@ -21,6 +22,9 @@ pub(crate) fn run(command: &Command) -> Result<(), Failure> {
         Command::Delaunay(arguments) => triangulate::delaunay(arguments),
         Command::Cdt(arguments) => triangulate::cdt(arguments),
         Command::Alpha(arguments) => alpha::alpha(arguments),
+        Command::Text(arguments) => exercise::text(arguments),
+        Command::SvgToLar(arguments) => exercise::svg_to_lar(arguments),
+        Command::Sample(arguments) => exercise::sample(arguments),
         Command::Triangulate2d(arguments) => triangulate2d::triangulate2d(arguments),
         Command::Check(arguments) => check::check(arguments),
         Command::Gen(arguments) => generate::generate(arguments),

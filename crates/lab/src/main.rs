@@ -16,6 +16,7 @@ mod output;
 mod pictures;
 mod progress;
 mod result;
+mod sampling;
 mod subject;
 mod watch;
 

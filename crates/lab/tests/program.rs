@@ -1,6 +1,8 @@
 //! The program as a user runs it: what it prints, writes, refuses, and how it exits.
 #![expect(clippy::unwrap_used, reason = "tests")]
 
+#[path = "program/exercise.rs"]
+mod exercise;
 #[path = "program/weights.rs"]
 mod weights;
 

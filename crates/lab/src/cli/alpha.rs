@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
-use super::{Source, Voice, Weights};
+use super::{Piped, Voice, Weights};
 
 /// Exactly one of the conventions for the parameter, or one of the lists.
 #[derive(Args)]
@@ -42,7 +42,7 @@ pub(crate) struct Asked {
 #[derive(Args)]
 pub(crate) struct Alpha {
     #[command(flatten)]
-    pub(crate) source: Source,
+    pub(crate) source: Piped,
     #[command(flatten)]
     pub(crate) weights: Weights,
     #[command(flatten)]

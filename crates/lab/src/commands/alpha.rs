@@ -78,6 +78,18 @@ fn param(asked: &cli::Asked) -> Option<(&'static str, AlphaParam)> {
     named.into_iter().find_map(|(name, param)| Some((name, param?)))
 }
 
+/// The number of a parameter, or the name of a property.
+fn value_of(param: AlphaParam) -> Value {
+    match param {
+        AlphaParam::Radius(x)
+        | AlphaParam::Squared(x)
+        | AlphaParam::Inverse(x)
+        | AlphaParam::Rank(x)
+        | AlphaParam::Unit(x) => json!(x),
+        other => json!(format!("{other:?}")),
+    }
+}
+
 impl Task<'_> {
     fn answer<const D: usize>(&self, filtration: &AlphaFiltration<D>) -> Result<(), Failure> {
         let build = self.start.elapsed().as_secs_f64();
@@ -136,7 +148,7 @@ impl Task<'_> {
             output::text(path, &Drawing::of_document(&document).svg(&style))?;
         }
         let mut object = self.head(filtration, build, cut);
-        object["parameter"] = json!({ name: format!("{param:?}") });
+        object["parameter"] = json!({ "convention": name, "value": value_of(param) });
         object["rank"] = json!(cut.ranks().checked_sub(1));
         let last = cut.ranks().checked_sub(1).map(|rank| filtration.value_of_rank(rank));
         object["squared_radius"] = json!(last.as_ref().map(delone_alpha::SquaredRadius::to_f64));
@@ -156,7 +168,7 @@ impl Task<'_> {
         };
         let rows = [
             ("input", result::describe(self.subject)),
-            ("parameter", object["parameter"].to_string()),
+            ("parameter", format!("{} {}", object["parameter"]["convention"], object["parameter"]["value"])),
             ("squared", object["squared_radius_exact"].as_str().unwrap_or("none").to_owned()),
             ("simplices", list("simplices")),
             ("betti", list("betti")),
