@@ -53,8 +53,8 @@ impl<const D: usize> AlphaFiltration<D> {
     pub fn simplex_curves(&self) -> Curves {
         let simplices = self.simplices();
         let width = simplices.dimension().map_or(1, |top| top + 1);
-        let more = (0..width)
-            .flat_map(|k| simplices.of_dimension(k).map(move |id| (k, self.ranks()[id])));
+        let more =
+            (0..width).flat_map(|k| simplices.of_dimension(k).map(move |id| (k, self.ranks()[id])));
         Curves::sum(width, self.rank_count(), more, std::iter::empty())
     }
 
@@ -72,8 +72,7 @@ impl<const D: usize> AlphaFiltration<D> {
     pub fn betti_of(&self, persistence: &Persistence) -> Curves {
         let width = self.simplices().dimension().unwrap_or(0).max(1);
         let births = persistence.all().map(|(k, pair)| (k, self.rank(pair.birth)));
-        let deaths =
-            persistence.all().filter_map(|(k, pair)| Some((k, self.rank(pair.death?))));
+        let deaths = persistence.all().filter_map(|(k, pair)| Some((k, self.rank(pair.death?))));
         Curves::sum(width, self.rank_count(), births, deaths)
     }
 

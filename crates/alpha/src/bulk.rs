@@ -3,7 +3,8 @@
 /// An index as an id of four bytes.
 #[inline]
 pub(crate) fn narrow(index: usize) -> u32 {
-    u32::try_from(index).expect("there are fewer than 2^32 simplices, and facets of those of one dimension")
+    u32::try_from(index)
+        .expect("there are fewer than 2^32 simplices, and facets of those of one dimension")
 }
 
 /// Lists, one for each number below a count, in one array.

@@ -53,7 +53,11 @@ impl<const D: usize> Geometry<D> {
             let high = points.iter().map(|p| p[axis]).fold(f64::NEG_INFINITY, f64::max);
             Dyadic::from(high) - Dyadic::from(low)
         };
-        if points.is_empty() { Dyadic::ZERO } else { (0..D).map(side).max().unwrap_or(Dyadic::ZERO) }
+        if points.is_empty() {
+            Dyadic::ZERO
+        } else {
+            (0..D).map(side).max().unwrap_or(Dyadic::ZERO)
+        }
     }
 }
 
@@ -66,7 +70,11 @@ pub(crate) struct Measured {
 
 impl Measured {
     /// The simplex with bounds that differ in the last digits only.
-    pub(crate) fn new<const D: usize>(kernel: &impl Metric<D>, simplex: u32, vertices: &[Site]) -> Self {
+    pub(crate) fn new<const D: usize>(
+        kernel: &impl Metric<D>,
+        simplex: u32,
+        vertices: &[Site],
+    ) -> Self {
         let bounds = kernel.radius_bounds(vertices);
         let [low, high] = bounds;
         let is_narrow = high - low <= 1e-6 * high.abs().min(low.abs()); // a matter of time, not of truth

@@ -6,7 +6,6 @@
 use dashu_int::IBig;
 use delone_predicates::{Dyadic, Sign, SquaredRadius};
 
-
 use crate::geometry::Geometry;
 use crate::{AlphaFiltration, Interval};
 

@@ -80,10 +80,16 @@ impl fmt::Display for ParamError {
                 write!(f, "a rank of {t}: give a fraction from 0 to 1")
             }
             Self::OutOfRange(param) => {
-                write!(f, "{param:?} is out of range: give a finite number, not negative for an inverse or a unit")
+                write!(
+                    f,
+                    "{param:?} is out of range: give a finite number, not negative for an inverse or a unit"
+                )
             }
             Self::NoSuchComplex(critical) => {
-                write!(f, "no complex of these sites has the property {critical:?}: look at the signature")
+                write!(
+                    f,
+                    "no complex of these sites has the property {critical:?}: look at the signature"
+                )
             }
         }
     }

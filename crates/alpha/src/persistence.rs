@@ -57,7 +57,10 @@ impl Persistence {
 
     /// All pairs, by dimension.
     pub fn all(&self) -> impl Iterator<Item = (usize, Pair)> + Clone + '_ {
-        self.pairs.iter().enumerate().flat_map(|(k, pairs)| pairs.iter().map(move |&pair| (k, pair)))
+        self.pairs
+            .iter()
+            .enumerate()
+            .flat_map(|(k, pairs)| pairs.iter().map(move |&pair| (k, pair)))
     }
 
     /// The bars of some length, sorted.

@@ -59,6 +59,20 @@ struct Sides {
 
 impl AlphaFiltration<2> {
     /// The boundary of a complex's triangles, and the simplices that are in none.
+    ///
+    /// ```
+    /// use delone_alpha::{AlphaFiltration, AlphaParam};
+    /// use delone_delaunay::{Options, delaunay};
+    /// use delone_sites::Sites;
+    ///
+    /// let sites = Sites::new(&[[0.0, 0.0], [2.0, 0.0], [0.0, 2.0], [9.0, 9.0]]).unwrap();
+    /// let filtration = AlphaFiltration::of(&sites, &delaunay(&sites, &Options::default(), &mut ()));
+    /// let shape = filtration.polygons(filtration.cut(AlphaParam::Radius(1.5)).unwrap());
+    /// assert_eq!((&shape.regions[0].outer[..], &shape.vertices[..]), (&[0, 1, 2][..], &[3][..]));
+    /// ```
+    ///
+    /// # Panics
+    /// If an invariant of the module's text is broken, which is a bug.
     #[must_use]
     pub fn polygons(&self, cut: Cut) -> Polygons {
         let sides = self.sides(cut);
@@ -85,7 +99,8 @@ impl AlphaFiltration<2> {
         };
         // On a line edges are cells: they are in no triangle, and interior.
         let is_line = self.simplices().dimension() == Some(1);
-        let cells = self.simplices().of_dimension(1).filter(|&id| is_line && cut.holds(self.ranks()[id]));
+        let cells =
+            self.simplices().of_dimension(1).filter(|&id| is_line && cut.holds(self.ranks()[id]));
         let cells = cells.map(|id| self.simplices().vertices(SimplexId::new(id)));
         let edges = singular(1).chain(cells).map(|ends| [ends[0], ends[1]]).collect();
         let is_point = self.simplices().dimension() == Some(0) && cut.holds(0);
@@ -112,7 +127,8 @@ impl AlphaFiltration<2> {
         let start = simplices.of_dimension(1).start;
         for id in simplices.of_dimension(2).filter(|&id| present(id)) {
             let triangle = SimplexId::new(id);
-            let (&[a, b, c], &[e, f, g]) = (simplices.vertices(triangle), simplices.facets(triangle))
+            let (&[a, b, c], &[e, f, g]) =
+                (simplices.vertices(triangle), simplices.facets(triangle))
             else {
                 panic!("a triangle has three corners");
             };

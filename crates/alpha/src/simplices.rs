@@ -158,10 +158,9 @@ impl Simplices {
         let level = &self.levels[k];
         let facets: &[u32] = &level.facets;
         let vertices = level.vertices.chunks_exact(k + 1);
-        (level.first..)
-            .zip(vertices)
-            .enumerate()
-            .map(move |(i, (id, vertices))| (id, vertices, facets.get(i * (k + 1)..(i + 1) * (k + 1)).unwrap_or(&[])))
+        (level.first..).zip(vertices).enumerate().map(move |(i, (id, vertices))| {
+            (id, vertices, facets.get(i * (k + 1)..(i + 1) * (k + 1)).unwrap_or(&[]))
+        })
     }
 
     /// The simplex of these vertices, in any order, if it is one.

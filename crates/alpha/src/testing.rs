@@ -37,7 +37,8 @@ pub(crate) fn naive_values<const D: usize>(
         .map(|id| {
             let vertices = simplices.vertices(SimplexId::new(id));
             let set = vertices.iter().fold(0u32, |set, &v| set | 1 << v);
-            let spheres = empty.iter().filter(|(all, _)| all & set == set).map(|&(_, radius)| radius);
+            let spheres =
+                empty.iter().filter(|(all, _)| all & set == set).map(|&(_, radius)| radius);
             spheres.min_by(|a, b| (a.0 * b.1).cmp(&(b.0 * a.1))).expect("every simplex has a value")
         })
         .collect()
@@ -84,7 +85,9 @@ fn determinant(rows: &[Vec<i128>]) -> i128 {
     let Some((first, rest)) = rows.split_first() else { return 1 };
     let minor = |column: usize| -> Vec<Vec<i128>> {
         rest.iter()
-            .map(|row| row.iter().enumerate().filter(|(j, _)| *j != column).map(|(_, x)| *x).collect())
+            .map(|row| {
+                row.iter().enumerate().filter(|(j, _)| *j != column).map(|(_, x)| *x).collect()
+            })
             .collect()
     };
     (0..first.len())

@@ -49,8 +49,12 @@ impl Inside {
         };
         let areas = sums(triangles.iter().map(doubled));
         let lengths = sums(segments.iter().map(|[a, b]| (b[0] - a[0]).hypot(b[1] - a[1])));
-        areas.last().is_some_and(|&sum| sum > 0.0 && sum.is_finite())
-            .then_some(Self { triangles, segments, areas, lengths })
+        areas.last().is_some_and(|&sum| sum > 0.0 && sum.is_finite()).then_some(Self {
+            triangles,
+            segments,
+            areas,
+            lengths,
+        })
     }
 
     pub(crate) fn sample(&self, method: Method, n: usize, seed: u64) -> Vec<[f64; 2]> {
@@ -121,7 +125,8 @@ impl Inside {
         for p in self.uniform(rng).take(n.saturating_mul(30)) {
             let [i, j] = cell(p);
             let is_near = |q: &[f64; 2]| (q[0] - p[0]).hypot(q[1] - p[1]) < distance;
-            let around = (-1..=1).flat_map(|x| (-1..=1).map(move |y| [i.saturating_add(x), j.saturating_add(y)]));
+            let around = (-1..=1)
+                .flat_map(|x| (-1..=1).map(move |y| [i.saturating_add(x), j.saturating_add(y)]));
             let mut around = around.filter_map(|cell| cells.get(&cell)).flatten();
             if !around.any(is_near) {
                 points.push(p);

@@ -5,6 +5,7 @@ use delone::delaunay::{Options, delaunay, regular};
 use delone::sites::{Sites, WeightedSites};
 use delone::workloads::{Rng, generate};
 use delone_tests::cgal::Cgal;
+use delone_tests::data::{documents, files, points_of};
 use delone_tests::say;
 
 fn filtration<const D: usize>(points: &[[f64; D]], weights: Option<&[f64]>) -> AlphaFiltration<D> {
@@ -53,7 +54,9 @@ fn alpha_values_of_workloads() {
     let Some(mut cgal) = Cgal::with_alpha_shapes() else { return };
     let mut rng = Rng::named("alpha weights", 1);
     let mut counts = [0; 2];
-    for name in ["uniform", "grid", "circle", "clusters", "gauss", "uniform-3d", "grid-3d", "sphere"] {
+    for name in
+        ["uniform", "grid", "circle", "clusters", "gauss", "uniform-3d", "grid-3d", "sphere"]
+    {
         let input = generate(name, 150, 3).expect("a workload");
         let weights: Vec<f64> =
             (0..input.points.len()).map(|_| rng.below(16) as f64 / 1024.0).collect();
@@ -88,4 +91,29 @@ fn alpha_values_of_small_integers() {
     }
     say(format!("CGAL, alpha values of small integers: {count} equal"));
     assert!(count > 3000, "{count}");
+}
+
+/// Files of at most so many points: CGAL's exact rationals are slow.
+const POINTS_MAX: usize = 300;
+
+#[test]
+fn alpha_values_of_collected_files() {
+    let Some(mut cgal) = Cgal::with_alpha_shapes() else { return };
+    let (mut inputs, mut count) = (0, 0);
+    for path in ["points2d", "points3d"].into_iter().flat_map(files) {
+        for document in documents(&path) {
+            if document.point_count() > POINTS_MAX {
+                continue;
+            }
+            let equal = match document.dimension {
+                2 => points_of::<2>(&document)
+                    .map_or(0, |case| equal(&mut cgal, &case.name, &case.points, None)),
+                _ => points_of::<3>(&document)
+                    .map_or(0, |case| equal(&mut cgal, &case.name, &case.points, None)),
+            };
+            inputs += usize::from(equal > 0);
+            count += equal;
+        }
+    }
+    say(format!("CGAL, alpha values of {inputs} collected inputs: {count} equal"));
 }

@@ -27,9 +27,11 @@ fn rank(rows: Vec<Vec<usize>>) -> usize {
 /// b_k = n_k - rank of the boundary of k-simplices - that of (k+1)-simplices.
 fn by_matrices<const D: usize>(filtration: &AlphaFiltration<D>, cut: Cut, k: usize) -> usize {
     let simplices = filtration.simplices();
-    let present = |k: usize| simplices.of_dimension(k).filter(|&id| cut.holds(filtration.ranks()[id]));
+    let present =
+        |k: usize| simplices.of_dimension(k).filter(|&id| cut.holds(filtration.ranks()[id]));
     let boundary = |k: usize| {
-        let facets = |id| simplices.facets(SimplexId::new(id)).iter().map(|&f| f as usize).collect();
+        let facets =
+            |id| simplices.facets(SimplexId::new(id)).iter().map(|&f| f as usize).collect();
         rank(present(k).map(facets).filter(|row: &Vec<usize>| !row.is_empty()).collect())
     };
     present(k).count() - boundary(k) - boundary(k + 1)
@@ -77,7 +79,10 @@ fn an_octahedron_encloses_a_void() {
     let filtration = of(&octahedron);
     let curves = filtration.betti_curves();
     // 0, edges at 1/2, triangles at 2/3, the ball at 1.
-    assert_eq!(filtration.spectrum().map(|v| v.to_f64()).collect::<Vec<_>>(), [0.0, 0.5, 2.0 / 3.0, 1.0]);
+    assert_eq!(
+        filtration.spectrum().map(|v| v.to_f64()).collect::<Vec<_>>(),
+        [0.0, 0.5, 2.0 / 3.0, 1.0]
+    );
     let betti: Vec<Vec<usize>> = (0..5).map(|ranks| curves.at(Cut::new(ranks))).collect();
     assert_eq!(betti, [[0, 0, 0], [6, 0, 0], [1, 7, 0], [1, 0, 1], [1, 0, 0]]);
 }

@@ -37,16 +37,14 @@ fn an_obtuse_triangle_gives_its_long_edge_its_value() {
 #[test]
 fn sites_in_a_flat_have_the_values_of_the_flat() {
     let square = of(&[[0.0, 0.0], [2.0, 0.0], [0.0, 2.0], [2.0, 2.0], [5.0, 1.0]]);
-    let turned = of(&[
-        [1.0, 0.0, 0.0],
-        [1.0, 2.0, 0.0],
-        [1.0, 0.0, 2.0],
-        [1.0, 2.0, 2.0],
-        [1.0, 5.0, 1.0],
-    ]);
+    let turned =
+        of(&[[1.0, 0.0, 0.0], [1.0, 2.0, 0.0], [1.0, 0.0, 2.0], [1.0, 2.0, 2.0], [1.0, 5.0, 1.0]]);
     assert_eq!(doubles(&square), doubles(&turned));
     assert_eq!(square.ranks(), turned.ranks());
-    assert_eq!(doubles(&of(&[[3.0, 1.0, 0.0], [1.0, 1.0, 0.0], [8.0, 1.0, 0.0]])), [0.0, 1.0, 6.25]);
+    assert_eq!(
+        doubles(&of(&[[3.0, 1.0, 0.0], [1.0, 1.0, 0.0], [8.0, 1.0, 0.0]])),
+        [0.0, 1.0, 6.25]
+    );
     assert_eq!(doubles(&of(&[[3.0], [1.0], [8.0]])), [0.0, 1.0, 6.25]);
     assert_eq!(doubles(&of(&[[3.0, 5.0]])), [0.0]);
     assert_eq!(doubles::<2>(&of(&[])), [0.0; 0]);
@@ -68,7 +66,8 @@ fn scaling_keeps_the_order_at_both_ends_of_the_range() {
 fn more_weight_for_all_shifts_the_values() {
     let points = [[0.0, 0.0], [4.0, 0.0], [1.0, 3.0], [5.0, 5.0], [2.0, 2.0]];
     let with = |more: f64| {
-        let sites = WeightedSites::new(&points, &[1.0, 0.0, 2.0, 0.5, -1.0].map(|w| w + more)).unwrap();
+        let sites =
+            WeightedSites::new(&points, &[1.0, 0.0, 2.0, 0.5, -1.0].map(|w| w + more)).unwrap();
         AlphaFiltration::of_regular(&sites, &regular(&sites, &Options::default(), &mut ()))
     };
     let (plain, shifted) = (with(0.0), with(8.0));

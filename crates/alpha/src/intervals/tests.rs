@@ -25,9 +25,9 @@ fn by_definition<const D: usize>(filtration: &AlphaFiltration<D>, cut: Cut, id: 
     let facets = simplices.of_dimension(top.saturating_sub(1));
     let on_hull = !is_cell
         && facets.filter(|&f| holds(f)).any(|f| {
-            let of_facet = simplices.of_dimension(top).filter(|&cell| {
-                simplices.facets(SimplexId::new(cell)).contains(&narrow(f))
-            });
+            let of_facet = simplices
+                .of_dimension(top)
+                .filter(|&cell| simplices.facets(SimplexId::new(cell)).contains(&narrow(f)));
             of_facet.count() == 1
         });
     if !on_hull && cells.all(|cell| is_in(&cell)) { Status::Interior } else { Status::Regular }
@@ -40,7 +40,11 @@ fn check<const D: usize>(points: &[[f64; D]]) -> [usize; 4] {
         let cut = Cut::new(ranks);
         let statuses = filtration.classify(cut, VertexConvention::Em94);
         for (id, &status) in statuses.iter().enumerate() {
-            assert_eq!(status, by_definition(&filtration, cut, id), "{id} at {ranks} of {points:?}");
+            assert_eq!(
+                status,
+                by_definition(&filtration, cut, id),
+                "{id} at {ranks} of {points:?}"
+            );
             seen[status as usize] += 1;
         }
         let general = filtration.shape(cut, Mode::General);

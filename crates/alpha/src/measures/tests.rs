@@ -3,7 +3,9 @@ use crate::testing::of;
 #[test]
 fn a_square_with_a_hole_has_two_boundaries() {
     // A ring of 16 points of a 5 x 5 grid: squared values 0, 1/4 and, of the whole ring, that of the disk of radius sqrt 8.
-    let ring = (0..25u8).filter(|i| i / 5 % 4 == 0 || i % 5 % 4 == 0).map(|i| [i / 5, i % 5].map(f64::from));
+    let ring = (0..25u8)
+        .filter(|i| i / 5 % 4 == 0 || i % 5 % 4 == 0)
+        .map(|i| [i / 5, i % 5].map(f64::from));
     let filtration = of(&ring.collect::<Vec<_>>());
     let measures = filtration.plane_measures().unwrap();
     assert_eq!(measures.len(), filtration.rank_count() + 1);

@@ -71,15 +71,8 @@ fn what_is_no_parameter_is_refused() {
 #[test]
 fn critical_complexes_have_their_property() {
     // A triangle, and a square away from it by 6.
-    let filtration = of(&[
-        [0.0, 0.0],
-        [2.0, 0.0],
-        [1.0, 1.0],
-        [8.0, 0.0],
-        [10.0, 0.0],
-        [8.0, 2.0],
-        [10.0, 2.0],
-    ]);
+    let filtration =
+        of(&[[0.0, 0.0], [2.0, 0.0], [1.0, 1.0], [8.0, 0.0], [10.0, 0.0], [8.0, 2.0], [10.0, 2.0]]);
     let value = |critical| {
         let cut = filtration.cut(AlphaParam::Critical(critical)).unwrap();
         filtration.value_of_rank(cut.ranks() - 1).to_f64()

@@ -4,8 +4,8 @@
 //! and rows of simplices that are births of the next dimension's classes, known by the union-find, never become pivots: they are
 //! left out (compression).
 
-use std::collections::BinaryHeap;
 use std::cmp::Reverse;
+use std::collections::BinaryHeap;
 
 use super::{Order, Pair};
 use crate::{AlphaFiltration, SimplexId};
@@ -26,11 +26,17 @@ pub(super) fn pairs<const D: usize>(
         }
     }
     let mut is_birth = vec![false; rows.len()];
-    known.get(k + 1).into_iter().flatten().for_each(|pair| is_birth[pair.birth.index() - rows.start] = true);
+    known
+        .get(k + 1)
+        .into_iter()
+        .flatten()
+        .for_each(|pair| is_birth[pair.birth.index() - rows.start] = true);
     let (start, cofaces) = filtration.cofaces(k);
     let column = |id: u32| {
         let of_it = cofaces.of(id as usize - start).iter();
-        of_it.filter(|&&row| !is_birth[row as usize - rows.start]).map(|&row| order.places[row as usize])
+        of_it
+            .filter(|&&row| !is_birth[row as usize - rows.start])
+            .map(|&row| order.places[row as usize])
     };
     // By row: the reduced column that has its pivot there. A column that took no other is looked up again.
     let mut owners: Vec<Option<u32>> = vec![None; rows.len()];

@@ -8,7 +8,10 @@ use super::*;
 use crate::testing::of;
 
 /// The standard reduction of the whole boundary matrix, in some order of the simplices.
-fn matrix<const D: usize>(filtration: &AlphaFiltration<D>, order: &[u32]) -> Vec<(u32, Option<u32>)> {
+fn matrix<const D: usize>(
+    filtration: &AlphaFiltration<D>,
+    order: &[u32],
+) -> Vec<(u32, Option<u32>)> {
     let mut place = vec![0; order.len()];
     order.iter().enumerate().for_each(|(i, &id)| place[id as usize] = i);
     let mut by_low: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
@@ -31,7 +34,9 @@ fn matrix<const D: usize>(filtration: &AlphaFiltration<D>, order: &[u32]) -> Vec
             by_low.insert(low, column);
         }
     }
-    pairs.extend(order.iter().enumerate().filter(|(j, _)| !is_paired[*j]).map(|(_, &id)| (id, None)));
+    pairs.extend(
+        order.iter().enumerate().filter(|(j, _)| !is_paired[*j]).map(|(_, &id)| (id, None)),
+    );
     pairs.sort_unstable();
     pairs
 }
@@ -91,7 +96,8 @@ fn pairs_are_those_of_the_matrix() {
     check(&of(&[[0.0, 1.0], [0.0, 2.0], [0.0, 4.0]]), &mut rng);
     check(&of(&[[0.0, 1.0]]), &mut rng);
     check(&of::<2>(&[]), &mut rng);
-    let flat: Vec<[f64; 3]> = points::<2>(&mut rng, 15, 6).iter().map(|p| [p[0], 3.0, p[1]]).collect();
+    let flat: Vec<[f64; 3]> =
+        points::<2>(&mut rng, 15, 6).iter().map(|p| [p[0], 3.0, p[1]]).collect();
     check(&of(&flat), &mut rng);
 }
 

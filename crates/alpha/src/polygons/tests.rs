@@ -21,9 +21,12 @@ fn check(points: &[[f64; 2]]) -> usize {
         let polygons = filtration.polygons(cut);
         let rings: Vec<&Vec<u32>> =
             polygons.regions.iter().flat_map(|r| r.holes.iter().chain([&r.outer])).collect();
-        let triangles = filtration.simplices().of_dimension(2).filter(|&id| cut.holds(filtration.ranks()[id]));
+        let triangles =
+            filtration.simplices().of_dimension(2).filter(|&id| cut.holds(filtration.ranks()[id]));
         let area: f64 = triangles
-            .map(|id| doubled_area(points, filtration.simplices().vertices(SimplexId::new(id))).abs())
+            .map(|id| {
+                doubled_area(points, filtration.simplices().vertices(SimplexId::new(id))).abs()
+            })
             .sum();
         assert_eq!(rings.iter().map(|ring| doubled_area(points, ring)).sum::<f64>(), area);
         for region in &polygons.regions {
@@ -55,9 +58,15 @@ fn check(points: &[[f64; 2]]) -> usize {
         };
         polygons.edges.iter().for_each(|&[a, b]| join(a, b));
         for region in &polygons.regions {
-            region.holes.iter().chain([&region.outer]).flatten().for_each(|&v| join(v, region.outer[0]));
+            region
+                .holes
+                .iter()
+                .chain([&region.outer])
+                .flatten()
+                .for_each(|&v| join(v, region.outer[0]));
         }
-        let cells = filtration.simplices().of_dimension(2).filter(|&id| cut.holds(filtration.ranks()[id]));
+        let cells =
+            filtration.simplices().of_dimension(2).filter(|&id| cut.holds(filtration.ranks()[id]));
         for id in cells {
             let vertices = filtration.simplices().vertices(SimplexId::new(id));
             vertices.iter().for_each(|&v| join(v, vertices[0]));
@@ -76,7 +85,8 @@ fn rings_bound_their_area() {
     let mut holes = 0;
     for side in [6, 12, 30] {
         for _ in 0..12 {
-            let points: Vec<[f64; 2]> = (0..40).map(|_| [0; 2].map(|_| rng.below(side) as f64)).collect();
+            let points: Vec<[f64; 2]> =
+                (0..40).map(|_| [0; 2].map(|_| rng.below(side) as f64)).collect();
             holes += check(&points);
         }
     }
@@ -118,7 +128,11 @@ fn lobes_of_a_hole_may_meet() {
             let (x, y) = (f64::from(x), f64::from(y));
             let right = x - 2.0;
             let up = y - 4.0;
-            let in_lobe = x > 2.0 && x < 7.0 && up.abs() > 0.25 * right && up.abs() < 3.0 && up.abs() <= right;
+            let in_lobe = x > 2.0
+                && x < 7.0
+                && up.abs() > 0.25 * right
+                && up.abs() < 3.0
+                && up.abs() <= right;
             if !in_lobe {
                 points.push([x, y]);
             }

@@ -24,7 +24,8 @@ pub(crate) fn alpha(arguments: &cli::Alpha) -> Result<(), Failure> {
     }
     let files = arguments.outputs.iter().chain(&arguments.svg);
     output::check_paths(files.map(std::path::PathBuf::as_path))?;
-    let is_list = arguments.asked.filtration || arguments.asked.signature || arguments.asked.persistence;
+    let is_list =
+        arguments.asked.filtration || arguments.asked.signature || arguments.asked.persistence;
     if is_list && !(arguments.outputs.is_empty() && arguments.svg.is_none()) {
         return Err(Failure::input("-o and --svg hold one complex: name a parameter"));
     }
@@ -37,7 +38,8 @@ pub(crate) fn alpha(arguments: &cli::Alpha) -> Result<(), Failure> {
     let name = engine::choose(&subject, None)?;
     let triangulation =
         engine::run(&subject, name, &delone_delaunay::Options::default(), None).triangulation;
-    let task = Task { arguments, subject: &subject, triangulation: &triangulation, name, read, start };
+    let task =
+        Task { arguments, subject: &subject, triangulation: &triangulation, name, read, start };
     match (&subject.body, &triangulation) {
         (Body::Plane(sites), Triangulation::Plane(result)) => {
             task.answer(&AlphaFiltration::of(sites, result))
@@ -121,7 +123,11 @@ impl Task<'_> {
     }
 
     /// A hash of the sites and of the complex's simplices in their order, by the ranks of sites.
-    fn fingerprint<const D: usize>(&self, filtration: &AlphaFiltration<D>, cut: Cut) -> Fingerprint {
+    fn fingerprint<const D: usize>(
+        &self,
+        filtration: &AlphaFiltration<D>,
+        cut: Cut,
+    ) -> Fingerprint {
         let mut hash = Fingerprint::new();
         let fixed = self.triangulation.fingerprint(self.subject).to_string();
         fixed.bytes().for_each(|byte| hash.word(byte.into()));
@@ -168,7 +174,10 @@ impl Task<'_> {
         };
         let rows = [
             ("input", result::describe(self.subject)),
-            ("parameter", format!("{} {}", object["parameter"]["convention"], object["parameter"]["value"])),
+            (
+                "parameter",
+                format!("{} {}", object["parameter"]["convention"], object["parameter"]["value"]),
+            ),
             ("squared", object["squared_radius_exact"].as_str().unwrap_or("none").to_owned()),
             ("simplices", list("simplices")),
             ("betti", list("betti")),

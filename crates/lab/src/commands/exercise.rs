@@ -18,7 +18,9 @@ pub(crate) fn svg_to_lar(arguments: &cli::SvgToLar) -> Result<(), Failure> {
     let exponent = normalise(&mut document.points);
     if !arguments.quiet {
         document.notes.iter().for_each(|note| eprintln!("note: {note}"));
-        eprintln!("note: x became x / 2^{exponent}, y became -y / 2^{exponent}: exactly, and so to be undone");
+        eprintln!(
+            "note: x became x / 2^{exponent}, y became -y / 2^{exponent}: exactly, and so to be undone"
+        );
     }
     output::print(&document, Format::Lar)
 }
@@ -28,7 +30,8 @@ pub(crate) fn svg_to_lar(arguments: &cli::SvgToLar) -> Result<(), Failure> {
 fn normalise(points: &mut [f64]) -> i32 {
     let side = |axis: usize| {
         let values = points.iter().skip(axis).step_by(2);
-        let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &x| (low.min(x), high.max(x)));
+        let (low, high) = values
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &x| (low.min(x), high.max(x)));
         high - low
     };
     let longer = side(0).max(side(1));

@@ -79,9 +79,12 @@ fn all_conventions_name_one_complex() {
 
 #[test]
 fn samplers_stay_inside_and_apart() {
-    for (method, least, most) in
-        [("uniform", 400, 400), ("boundary", 400, 400), ("jittered", 300, 500), ("poisson", 250, 550)]
-    {
+    for (method, least, most) in [
+        ("uniform", 400, 400),
+        ("boundary", 400, 400),
+        ("jittered", 300, 500),
+        ("poisson", 250, 550),
+    ] {
         let points = sample("400", method);
         let object = json(&["delaunay", "-", "--json"], &points);
         let count = object["input"]["sites"].as_u64().unwrap();

@@ -121,7 +121,11 @@ fn cross<T: Ring, const D: usize>(u: &[T; D], v: &[T; D]) -> [T; 3] {
     let minor = |i: usize, j: usize| {
         if j < D { minus(times(&u[i], &v[j]), &times(&u[j], &v[i])) } else { T::zero() }
     };
-    if D == 3 { [minor(1, 2), minus(T::zero(), &minor(0, 2)), minor(0, 1)] } else { [T::zero(), T::zero(), minor(0, 1)] }
+    if D == 3 {
+        [minor(1, 2), minus(T::zero(), &minor(0, 2)), minor(0, 1)]
+    } else {
+        [T::zero(), T::zero(), minor(0, 1)]
+    }
 }
 
 /// Bounds of the squared radius of plain points, if there is a quick formula.
@@ -135,7 +139,9 @@ pub(super) fn bounds<const D: usize>(points: &[[f64; D]]) -> Option<[f64; 2]> {
     }
     let [low, high] = super::ball::bounds(&radius(&near[..points.len()])?);
     // A quarter is exact, but of denormals.
-    Some([(low / 4.0).next_down(), (high / 4.0).next_up()]).filter(|_| points.len() > 1).or(Some([0.0; 2]))
+    Some([(low / 4.0).next_down(), (high / 4.0).next_up()])
+        .filter(|_| points.len() > 1)
+        .or(Some([0.0; 2]))
 }
 
 /// A quarter of a square: a sum without cancellation, off by a factor of at most 1 + (D + 3) u.

@@ -178,8 +178,7 @@ fn power_by_definition(points: &[[f64; 3]], weights: &[f64]) -> f64 {
         3 => {
             let (u, v) = (from(1), from(2));
             let (uu, uv, vv) = (dot(u, u), dot(u, v), dot(v, v));
-            let (l, m) =
-                (height(1) * vv - height(2) * uv, height(2) * uu - height(1) * uv);
+            let (l, m) = (height(1) * vv - height(2) * uv, height(2) * uu - height(1) * uv);
             (uu * vv - uv * uv) * height(3) - l * dot(u, c) - m * dot(v, c)
         }
         _ => panic!("two to four points"),

@@ -22,9 +22,11 @@ pub(super) fn tell<const D: usize>(
     let asked = &task.arguments.asked;
     let values: Vec<Value> = filtration
         .spectrum()
-        .map(|value| {
-            if task.arguments.exact { json!(fraction(&value)) } else { json!(value.to_f64()) }
-        })
+        .map(
+            |value| {
+                if task.arguments.exact { json!(fraction(&value)) } else { json!(value.to_f64()) }
+            },
+        )
         .collect();
     let list = if asked.filtration {
         simplices(task, filtration, &values)
