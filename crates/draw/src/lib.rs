@@ -26,6 +26,7 @@
 //! | [`Solid`] | a tetrahedral mesh as SVG: shaded boundary, wires inside | up to some 10,000 facets |
 //! | [`Plot`] | curves on logarithmic axes, with their exponents | how a cost grows |
 //! | [`Rasters`] | fields of signs or classes, side by side in rows | maps of predicates |
+//! | [`Slider`] | a complex that grows, as a page with a slider | alpha complexes |
 //! | [`Report`] | paragraphs, sortable tables, figures; a figure of more than [`SVG_EDGES_MAX`] edges becomes a canvas with pan and zoom | `compare`, benchmarks |
 //!
 //! # Contract
@@ -44,6 +45,7 @@ mod html;
 mod num;
 mod plot;
 mod rasters;
+mod slider;
 mod solid;
 mod svg;
 mod text;
@@ -51,5 +53,6 @@ mod text;
 pub use html::{Anchor, Cell, Report, SVG_EDGES_MAX, Table, Tone};
 pub use plot::{Plot, Series};
 pub use rasters::{Raster, Rasters};
+pub use slider::Slider;
 pub use solid::Solid;
 pub use svg::{Aspect, Dots, Exploded, Picture, Style, panels};

@@ -59,6 +59,9 @@ pub(crate) struct Alpha {
     /// Draw the complex
     #[arg(long, value_name = "FILE")]
     pub(crate) svg: Option<PathBuf>,
+    /// Write a page with a slider over all complexes, for points of the plane
+    #[arg(long, value_name = "FILE")]
+    pub(crate) html: Option<PathBuf>,
     #[command(flatten)]
     pub(crate) voice: Voice,
 }

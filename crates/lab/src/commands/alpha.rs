@@ -1,6 +1,7 @@
 //! `delone alpha`: read, triangulate, filter; then one complex, or a list of the whole filtration.
 
 mod lists;
+mod page;
 
 use std::time::Instant;
 
@@ -22,7 +23,7 @@ pub(crate) fn alpha(arguments: &cli::Alpha) -> Result<(), Failure> {
     for path in &arguments.outputs {
         output::format_to_write(path)?;
     }
-    let files = arguments.outputs.iter().chain(&arguments.svg);
+    let files = arguments.outputs.iter().chain(&arguments.svg).chain(&arguments.html);
     output::check_paths(files.map(std::path::PathBuf::as_path))?;
     let is_list =
         arguments.asked.filtration || arguments.asked.signature || arguments.asked.persistence;
@@ -33,6 +34,9 @@ pub(crate) fn alpha(arguments: &cli::Alpha) -> Result<(), Failure> {
     let mut document = input::read(&arguments.source.input, arguments.source.format.as_deref())?;
     input::take_weights(&mut document, arguments.weights.file.as_deref())?;
     let subject = Subject::points(document)?;
+    if arguments.html.is_some() && subject.document.dimension != 2 {
+        return Err(Failure::input("--html is for the plane, and the input is in space"));
+    }
     let read = start.elapsed().as_secs_f64();
     let start = Instant::now();
     let name = engine::choose(&subject, None)?;
@@ -95,9 +99,17 @@ fn value_of(param: AlphaParam) -> Value {
 impl Task<'_> {
     fn answer<const D: usize>(&self, filtration: &AlphaFiltration<D>) -> Result<(), Failure> {
         let build = self.start.elapsed().as_secs_f64();
-        match param(&self.arguments.asked) {
+        let param = param(&self.arguments.asked);
+        let cut = match param {
+            None => filtration.whole(),
+            Some((_, param)) => filtration.cut(param).map_err(Failure::input)?,
+        };
+        if let Some(path) = &self.arguments.html {
+            output::text(path, &page::slider(self, filtration, cut))?;
+        }
+        match param {
             None => lists::tell(self, filtration, build),
-            Some((name, param)) => self.complex(filtration, build, name, param),
+            Some((name, param)) => self.complex(filtration, build, name, (param, cut)),
         }
     }
 
@@ -141,9 +153,8 @@ impl Task<'_> {
         filtration: &AlphaFiltration<D>,
         build: f64,
         name: &str,
-        param: AlphaParam,
+        (param, cut): (AlphaParam, Cut),
     ) -> Result<(), Failure> {
-        let cut = filtration.cut(param).map_err(Failure::input)?;
         let document = self.document(filtration, cut);
         for path in &self.arguments.outputs {
             output::document(path, &document)?;

@@ -119,3 +119,21 @@ fn lists_are_ordered_and_exact() {
     let bars = pipe(&["alpha", "-", "--format", "xyz", "--persistence"], points);
     assert_eq!(bars.lines().skip(1).collect::<Vec<_>>(), ["0 0.0 inf", "0 0.0 2.25", "0 0.0 4.0"]);
 }
+
+#[test]
+fn a_slider_holds_every_complex() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("lar.html");
+    let page = path.to_str().unwrap();
+    let object =
+        json(&["alpha", "--unit", "0.01", "--html", page, "--json"], &sample("300", "uniform"));
+    let text = std::fs::read_to_string(&path).unwrap();
+    assert!(text.contains(&format!("max=\"{}\"", object["values"])));
+    assert!(text.contains(&format!("value=\"{}\"", object["rank"].as_u64().unwrap() + 1)));
+    let output = delone()
+        .args(["alpha", "--rank", "1", "--html", page])
+        .write_stdin("0 0 1\n1 2 0\n0 3 1\n1 1 1\n")
+        .output()
+        .unwrap();
+    assert_eq!(output.status.code(), Some(2), "space has no slider");
+}

@@ -2,7 +2,7 @@
 //! radii up to tetrahedra.
 //!
 //! **The bound.** As `filter/any.rs`: a product of two edges has D + 2 roundings on its longest path, two of differences, one of a product,
-//! D - 1 of a sum. A minor of two rows 2 (D + 2) + 2, the determinant of three rows 3 (D + 2) + 5, at most 26 for D = 7. The permanent
+//! D - 1 of a sum. A minor of two rows 2 (D + 2) + 2, the determinant of three rows 3 (D + 2) + 5, at most 32 for D = 7. The permanent
 //! is made of the magnitudes of the terms of the products of edges.
 //!
 //! **Range.** The determinant is used if all differences are zero or between 2^-100 and 2^100. Products of two are then at least 2^-200,
