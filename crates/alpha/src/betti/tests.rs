@@ -48,7 +48,7 @@ fn check<const D: usize>(points: &[[f64; D]]) {
         for (k, &number) in betti.iter().enumerate() {
             assert_eq!(number, by_matrices(&filtration, cut, k), "b{k} at {ranks} of {points:?}");
         }
-        let sign = |k: usize| if k % 2 == 0 { 1i64 } else { -1 };
+        let sign = |k: usize| if k.is_multiple_of(2) { 1i64 } else { -1 };
         let alternate = |numbers: &[usize]| -> i64 {
             numbers.iter().enumerate().map(|(k, &n)| sign(k) * i64::from(narrow(n))).sum()
         };
