@@ -114,24 +114,23 @@ fn subset<const D: usize>(grid: &[[f64; D]], set: u32) -> Vec<[f64; D]> {
 
 #[test]
 fn values_are_those_of_the_definition() {
-    let plane: Vec<[f64; 2]> = (0..9u8).map(|i| [i / 3, i % 3].map(f64::from)).collect();
-    let space: Vec<[f64; 3]> = (0..8u8).map(|i| [i / 4, i / 2 % 2, i % 2].map(f64::from)).collect();
+    let plane: Vec<[f64; 2]> = (0..12u8).map(|i| [i / 3, i % 3].map(f64::from)).collect();
+    let space: Vec<[f64; 3]> =
+        (0..12u8).map(|i| [i / 4, i / 2 % 2, i % 2].map(f64::from)).collect();
     let mut rng = Rng::new(1);
     let mut attached = [0; 4];
-    for set in 0..1 << 9 {
+    for set in 0..1 << 12 {
         let points = subset(&plane, set);
         let weights: Vec<f64> = points.iter().map(|_| rng.below(4) as f64).collect();
         attached[0] += as_defined(&points, None);
         attached[1] += as_defined(&points, Some(&weights));
-    }
-    for set in 0..1 << 8 {
         let points = subset(&space, set);
-        let weights: Vec<f64> = points.iter().map(|_| rng.below(4) as f64).collect();
         attached[2] += as_defined(&points, None);
-        attached[3] += as_defined(&points, Some(&weights));
+        if set % 4 == 0 {
+            attached[3] += as_defined(&points, Some(&weights[..points.len()]));
+        }
     }
-    // On the corners of a cube nothing is attached without weights: all spheres hold the centre, or are of its faces.
-    assert!(attached[0] > 100 && attached[1] > 100 && attached[3] > 100, "{attached:?}");
+    assert!(attached.iter().all(|&count| count > 1000), "{attached:?}");
 }
 
 #[test]
