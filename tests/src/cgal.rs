@@ -1,4 +1,4 @@
-//! CGAL behind a pipe: the client of `peers/cgal.cpp`, whose head tells the protocol.
+//! CGAL behind a pipe: the client of `peers/cgal.cpp` and `peers/cgal_alpha.cpp`, whose heads tell the protocol.
 
 use std::fmt::Write as _;
 use std::io::{BufRead, BufReader, Write as _};
@@ -34,12 +34,22 @@ impl Cgal {
     /// Starts it; `None`, said aloud, if it is not built.
     #[must_use]
     pub fn start() -> Option<Self> {
+        Self::named("cgal")
+    }
+
+    /// Starts the peer that knows alpha shapes; `None`, said aloud, if it is not built.
+    #[must_use]
+    pub fn with_alpha_shapes() -> Option<Self> {
+        Self::named("cgal_alpha")
+    }
+
+    fn named(name: &str) -> Option<Self> {
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-        let binary = root.join("target/peers/cgal");
+        let binary = root.join("target/peers").join(name);
         let mut command = Command::new(&binary);
         command.stdin(Stdio::piped()).stdout(Stdio::piped());
         let Ok(mut child) = command.spawn() else {
-            say("skipped: CGAL is not built (`cargo xtask setup` builds it)");
+            say(format!("skipped: {name} is not built (`cargo xtask setup` builds it)"));
             return None;
         };
         let to = child.stdin.take().expect("its input is piped");
@@ -57,13 +67,32 @@ impl Cgal {
     /// The regular triangulation of distinct points of the plane or of space, with one weight for each.
     pub fn regular<const D: usize>(&mut self, points: &[[f64; D]], weights: &[f64]) -> Answer {
         let mut request = format!("regular{D} {}\n", points.len());
-        for (point, weight) in points.iter().zip(weights) {
-            for x in point.iter().chain([weight]) {
-                write!(request, "{:016x} ", x.to_bits()).expect("text grows");
-            }
-            request.push('\n');
-        }
+        write_weighted(&mut request, points, weights);
         self.ask(&request)
+    }
+
+    /// The alpha values of distinct points, with weights if there are any: of edges and triangles in the plane, of all simplices
+    /// in space; sorted, each with its vertices sorted and its value as a reduced fraction. `None` if it refused.
+    pub fn alpha_values<const D: usize>(
+        &mut self,
+        points: &[[f64; D]],
+        weights: Option<&[f64]>,
+    ) -> Option<Vec<(Vec<u32>, String)>> {
+        let mut request = String::new();
+        match weights {
+            None => {
+                writeln!(request, "alpha{D} {}", points.len()).expect("text grows");
+                write_points(&mut request, points);
+            }
+            Some(weights) => {
+                writeln!(request, "walpha{D} {}", points.len()).expect("text grows");
+                write_weighted(&mut request, points, weights);
+            }
+        }
+        let (_, count) = self.head(&request).ok()?;
+        let mut values: Vec<(Vec<u32>, String)> = (0..count).map(|_| value(&self.line())).collect();
+        values.sort_unstable();
+        Some(values)
     }
 
     /// The constrained Delaunay triangulation of distinct points and segments.
@@ -124,17 +153,26 @@ impl Cgal {
         self.seconds
     }
 
-    fn ask(&mut self, request: &str) -> Answer {
+    /// Asks, and reads the first line: the dimension and the number of lines that follow, or why it refused.
+    fn head(&mut self, request: &str) -> Result<(i32, usize), String> {
         self.to.write_all(request.as_bytes()).expect("CGAL listens");
         self.to.flush().expect("CGAL listens");
         let head = self.line();
         let Some(rest) = head.strip_prefix("ok ") else {
-            return Answer::Refused(head);
+            return Err(head);
         };
         let mut words = rest.split_whitespace();
         let dimension: i32 = words.next().and_then(|w| w.parse().ok()).expect("a dimension");
         let count: usize = words.next().and_then(|w| w.parse().ok()).expect("a count");
         self.seconds = words.next().and_then(|w| w.parse().ok()).expect("seconds");
+        Ok((dimension, count))
+    }
+
+    fn ask(&mut self, request: &str) -> Answer {
+        let (dimension, count) = match self.head(request) {
+            Ok(head) => head,
+            Err(message) => return Answer::Refused(message),
+        };
         let mut cells: Vec<Vec<u32>> = Vec::with_capacity(count);
         for _ in 0..count {
             let line = self.line();
@@ -170,4 +208,23 @@ fn write_points<const D: usize>(request: &mut String, points: &[[f64; D]]) {
         }
         request.push('\n');
     }
+}
+
+fn write_weighted<const D: usize>(request: &mut String, points: &[[f64; D]], weights: &[f64]) {
+    for (point, weight) in points.iter().zip(weights) {
+        for x in point.iter().chain([weight]) {
+            write!(request, "{:016x} ", x.to_bits()).expect("text grows");
+        }
+        request.push('\n');
+    }
+}
+
+/// A line of a count of ids, the ids, and a value.
+fn value(line: &str) -> (Vec<u32>, String) {
+    let mut words = line.split_whitespace();
+    let count: usize = words.next().and_then(|w| w.parse().ok()).expect("a count");
+    let ids = words.by_ref().take(count).map(|id| id.parse().expect("an id"));
+    let mut ids: Vec<u32> = ids.collect();
+    ids.sort_unstable();
+    (ids, words.next().expect("a value").to_owned())
 }

@@ -21,6 +21,7 @@
 //! | the Delaunay triangulation of points, any dimension | [`delaunay`] |
 //! | the constrained Delaunay triangulation of points and segments | [`cdt`] |
 //! | the same with Steiner points, conforming or refined | [`conforming`] |
+//! | alpha complexes and shapes, persistent homology | [`alpha`] |
 //! | what is inside a soup of edges, with or without holes | [`cdt::triangulate2d`], [`cdt::Domain`] |
 //! | chains, boundary operators, Betti numbers | [`lar`] |
 //! | a proof that a triangulation is one | [`check`] |
@@ -30,6 +31,7 @@
 //! Everything is deterministic, nothing has a tolerance, and ties are broken by one symbolic perturbation, so that all
 //! algorithms give the same triangulation.
 
+pub use delone_alpha as alpha;
 pub use delone_cdt as cdt;
 pub use delone_check as check;
 pub use delone_conforming as conforming;

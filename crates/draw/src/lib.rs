@@ -27,6 +27,7 @@
 //! | [`Plot`] | curves on logarithmic axes, with their exponents | how a cost grows |
 //! | [`Rasters`] | fields of signs or classes, side by side in rows | maps of predicates |
 //! | [`Scene`] | layers to switch, steps to go through, in a report | what an algorithm did |
+//! | [`Slider`] | a complex that grows, as a page with a slider | alpha complexes |
 //! | [`Report`] | paragraphs, sortable tables, figures; a figure of more than [`SVG_EDGES_MAX`] edges becomes a canvas with pan and zoom | `compare`, benchmarks |
 //!
 //! # Contract
@@ -45,6 +46,7 @@ mod html;
 mod num;
 mod plot;
 mod rasters;
+mod slider;
 mod solid;
 mod svg;
 mod text;
@@ -52,5 +54,6 @@ mod text;
 pub use html::{Anchor, Cell, Report, SVG_EDGES_MAX, Scene, Span, Step, Table, Tone};
 pub use plot::{Plot, Series};
 pub use rasters::{Raster, Rasters};
+pub use slider::Slider;
 pub use solid::Solid;
 pub use svg::{Aspect, Dots, Exploded, Picture, Style, panels};

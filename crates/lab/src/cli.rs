@@ -1,6 +1,8 @@
 //! The command line: every command and option, with what `--help` says.
 
+mod alpha;
 mod bench;
+mod exercise;
 mod fuzz;
 mod replay;
 mod steiner;
@@ -15,6 +17,9 @@ pub(crate) use steiner::{Conform, Refine, Refinement};
 pub(crate) use bench::{Bench, BenchAction, Engine};
 pub(crate) use fuzz::{Fuzz, Program, Shrink};
 pub(crate) use replay::Replay;
+
+pub(crate) use alpha::{Alpha, Asked, Mode};
+pub(crate) use exercise::{Method, Piped, Sample, SvgToLar, Text};
 
 #[derive(Parser)]
 #[command(
@@ -48,6 +53,15 @@ pub(crate) enum Command {
     Conform(Conform),
     /// Quality refinement: Steiner points until no triangle inside has a small angle or is too large
     Refine(Refine),
+    /// Alpha complex of points, or its filtration, signature or persistent homology
+    Alpha(Box<Alpha>),
+    /// Draw a text in outlines, as SVG
+    Text(Text),
+    /// Read the paths of an SVG drawing as a model (V, EV), y up, the longer side at most 1
+    #[command(name = "svg2lar")]
+    SvgToLar(SvgToLar),
+    /// Sample random points inside a drawing, by the even-odd rule
+    Sample(Sample),
     /// Triangulate the inside of a soup of boundary edges, holes unknown
     #[command(name = "triangulate2d")]
     Triangulate2d(Triangulate2d),

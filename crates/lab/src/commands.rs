@@ -1,5 +1,6 @@
 //! One file for each command.
 
+mod alpha;
 mod bench;
 mod check;
 mod classroom;
@@ -8,6 +9,7 @@ mod conform;
 mod convert;
 mod draw;
 mod engine;
+mod exercise;
 mod fuzz;
 mod generate;
 mod meta;
@@ -28,6 +30,10 @@ pub(crate) fn run(command: &Command) -> Result<(), Failure> {
         Command::Cdt(arguments) => triangulate::cdt(arguments),
         Command::Conform(arguments) => conform::conform(arguments),
         Command::Refine(arguments) => refine::refine(arguments),
+        Command::Alpha(arguments) => alpha::alpha(arguments),
+        Command::Text(arguments) => exercise::text(arguments),
+        Command::SvgToLar(arguments) => exercise::svg_to_lar(arguments),
+        Command::Sample(arguments) => exercise::sample(arguments),
         Command::Triangulate2d(arguments) => triangulate2d::triangulate2d(arguments),
         Command::Check(arguments) => check::check(arguments),
         Command::Gen(arguments) => generate::generate(arguments),

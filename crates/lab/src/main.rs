@@ -16,6 +16,7 @@ mod output;
 mod pictures;
 mod progress;
 mod result;
+mod sampling;
 mod steiner;
 mod subject;
 mod watch;

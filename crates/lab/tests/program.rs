@@ -3,6 +3,8 @@
 
 #[path = "program/bench.rs"]
 mod bench;
+#[path = "program/exercise.rs"]
+mod exercise;
 #[path = "program/fuzz.rs"]
 mod fuzz;
 #[path = "program/pages.rs"]

@@ -67,8 +67,16 @@ impl<P> Adaptive<P> {
         [point[x], point[y], point[3 - x - y]]
     }
 
-    pub(crate) const fn points(&self) -> &P {
+    pub(crate) const fn given(&self) -> &P {
         &self.points
+    }
+
+    /// The points.
+    pub fn points<const D: usize>(&self) -> &[[f64; D]]
+    where
+        P: AsRef<[[f64; D]]>,
+    {
+        self.points.as_ref()
     }
 
     /// A kernel over these points, whose static filters have these bounds.
@@ -84,7 +92,7 @@ impl<P> Adaptive<P> {
 }
 
 impl<P> Exact<P> {
-    pub(crate) const fn points(&self) -> &P {
+    pub(crate) const fn given(&self) -> &P {
         &self.points
     }
 

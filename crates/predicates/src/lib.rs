@@ -75,7 +75,7 @@ pub use counting::{Counting, Question, Tally};
 pub use dyadic::Dyadic;
 pub use exact_over::ExactOver;
 pub use kernel::{Id, Kernel, PlaneKernel, all_axes};
-pub use metric::Metric;
+pub use metric::{Metric, SquaredRadius};
 pub use naive::Naive;
 pub use projected::Projected;
 pub use ring::{Homogeneous, Ring};

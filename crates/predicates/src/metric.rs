@@ -14,6 +14,7 @@
 //! | a flat simplex | its radius is infinite, greater than all others and equal to each such | `flat_simplices_have_an_infinite_radius` |
 //! | one vertex | squared radius 0, or its weight negated | `the_radius_of_a_vertex_is_its_weight` |
 //! | an angle with an empty side | counts as zero | `an_angle_with_an_empty_side_is_zero` |
+//! | a point on the smallest sphere through a simplex | zero | `in_smallest_sphere_is_the_sign_of_the_power` |
 //! | equal radii of different simplices | equal | `radii_on_a_grid_tie` |
 
 use std::cmp::Ordering;
@@ -21,16 +22,19 @@ use std::cmp::Ordering;
 use smallvec::SmallVec;
 
 use crate::adaptive::{Adaptive, Exact, point};
-use crate::dyadic::nearest_ratio;
 use crate::formula::{Call, Formula, exactly, in_words};
 use crate::kernel::{Id, Kernel};
 use crate::ring::Homogeneous;
 use crate::{Approximate, Constructed, Dyadic, Sign, Weighted};
+use ball::{InBall, Weights};
 use formulas::{Angles, Dot, Lengths, Radius, RadiusOver};
 
+pub use ball::SquaredRadius;
 pub(crate) use formulas::Radii;
 
+mod ball;
 mod formulas;
+mod quick;
 #[cfg(test)]
 mod tests;
 mod words;
@@ -113,12 +117,62 @@ pub trait Metric<const D: usize>: Kernel<D> {
     /// # Panics
     /// If the simplex has no vertices.
     fn squared_radius<V: Id>(&self, simplex: &[V]) -> f64 {
-        let radius = exact_radius(self, simplex);
-        if radius.is_infinite() {
-            return f64::INFINITY;
-        }
-        nearest_ratio(&radius.numerator, &radius.denominator)
+        self.exact_squared_radius(simplex).to_f64()
     }
+
+    /// The squared radius of a simplex, as in [`Metric::compare_radii`].
+    ///
+    /// # Panics
+    /// If the simplex has no vertices.
+    fn exact_squared_radius<V: Id>(&self, simplex: &[V]) -> SquaredRadius {
+        let Radius { numerator, denominator } = exact_radius(self, simplex);
+        SquaredRadius::new(numerator, denominator)
+    }
+
+    /// Two doubles that the squared radius of a simplex is between; infinite where nothing is known.
+    ///
+    /// # Panics
+    /// If the simplex has no vertices.
+    fn radius_bounds<V: Id>(&self, simplex: &[V]) -> [f64; 2] {
+        let vertices = simplex.iter().copied();
+        if let Some(bounds) = with_plain(self, vertices.clone(), quick::bounds).flatten() {
+            return bounds;
+        }
+        let points: SmallVec<[_; 4]> =
+            vertices.clone().map(|v| self.approximate_point(v)).collect();
+        let weights: Weights<_> = weights(self, vertices).map(Approximate::exact).collect();
+        ball::bounds(&Radius::of_simplex(&points, (!weights.is_empty()).then_some(&weights[..])))
+    }
+
+    /// Positive if `q` is strictly inside the smallest sphere through the vertices of a simplex that is not flat, which has its
+    /// centre in the simplex's own flat; with weights, if the power of `q`, less its weight, to the smallest orthogonal
+    /// sphere is negative.
+    ///
+    /// # Panics
+    /// If the simplex has no vertices.
+    fn in_smallest_sphere<V: Id>(&self, simplex: &[V], q: V) -> Sign {
+        assert!(!simplex.is_empty(), "a simplex has a vertex");
+        let vertices = simplex.iter().copied().chain([q]);
+        if let Some(sign) = with_plain(self, vertices.clone(), quick::in_ball).flatten() {
+            return sign;
+        }
+        decided(self, &InBall, vertices.clone(), weights(self, vertices))
+    }
+}
+
+/// Calls `answer` with the points, if there are at most four and all are plain.
+#[inline(always)]
+fn with_plain<const D: usize, V: Id, K: Metric<D> + ?Sized, A>(
+    kernel: &K,
+    vertices: impl Iterator<Item = V>,
+    answer: impl FnOnce(&[[f64; D]]) -> A,
+) -> Option<A> {
+    let (mut points, mut count) = ([[0.0; D]; 4], 0);
+    for v in vertices {
+        *points.get_mut(count)? = kernel.plain_point(v)?;
+        count += 1;
+    }
+    Some(answer(&points[..count]))
 }
 
 /// The answer: in words if the points are plain and short; else by doubles if they suffice, and exactly if not.
@@ -175,16 +229,16 @@ macro_rules! plain {
     ($kernel:ident, $near:expr, $plain:expr) => {
         impl<const D: usize, P: AsRef<[[f64; D]]>> Metric<D> for $kernel<P> {
             fn approximate_point<V: Id>(&self, v: V) -> Homogeneous<Approximate, D> {
-                Homogeneous::plain(point(self.points(), v).map($near))
+                Homogeneous::plain(point(self.given(), v).map($near))
             }
 
             fn exact_point<V: Id>(&self, v: V) -> Homogeneous<Dyadic, D> {
-                Homogeneous::plain(point(self.points(), v).map(Dyadic::from))
+                Homogeneous::plain(point(self.given(), v).map(Dyadic::from))
             }
 
             #[inline]
             fn plain_point<V: Id>(&self, v: V) -> Option<[f64; D]> {
-                $plain.then(|| *point(self.points(), v))
+                $plain.then(|| *point(self.given(), v))
             }
         }
     };

@@ -46,6 +46,14 @@ impl<P, W: AsRef<[f64]>> Weighted<P, W> {
         Self { sites: Adaptive::new(points), weights }
     }
 
+    /// The points.
+    pub fn points<const D: usize>(&self) -> &[[f64; D]]
+    where
+        P: AsRef<[[f64; D]]>,
+    {
+        self.sites.points()
+    }
+
     pub(crate) const fn sites(&self) -> &Adaptive<P> {
         &self.sites
     }

@@ -48,8 +48,10 @@ mod points3d;
 mod pslg;
 mod registry;
 mod rng;
+mod text;
 
 pub use classroom::{CLASSROOM, Classroom};
 pub use input::{Input, Points};
 pub use registry::{Kind, Meets, SITES_MAX, UnknownWorkload, Workload, all, find, generate};
 pub use rng::Rng;
+pub use text::{NoGlyph, outlines};

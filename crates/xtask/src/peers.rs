@@ -6,21 +6,27 @@ use std::time::SystemTime;
 
 use crate::run::run;
 
-const SOURCE: &str = "tests/peers/cgal.cpp";
-const BINARY: &str = "target/peers/cgal";
+/// Sources in `tests/peers`, and programs of the same names.
+const NAMES: [&str; 2] = ["cgal", "cgal_alpha"];
 
-/// Builds the CGAL peer, unless it is newer than its source.
+/// Builds the CGAL peers that are not newer than their sources.
 pub(crate) fn build() -> Result<(), String> {
+    NAMES.iter().try_for_each(|name| build_one(name))
+}
+
+fn build_one(name: &str) -> Result<(), String> {
     let root = crate::root();
-    let (source, binary) = (root.join(SOURCE), root.join(BINARY));
+    let source = root.join("tests/peers").join(name).with_extension("cpp");
+    let binary = root.join("target/peers").join(name);
     if modified(&source).zip(modified(&binary)).is_some_and(|(source, binary)| source < binary) {
         return Ok(());
     }
     let folder = binary.parent().ok_or("the peers have a folder")?;
     std::fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
     run(Command::new("g++")
-        .args(["-std=c++17", "-O2", "-DNDEBUG", "-frounding-math"])
-        .args(["-o", BINARY, SOURCE, "-lmpfr", "-lgmp"]))
+        .args(["-std=c++17", "-O2", "-DNDEBUG", "-frounding-math", "-o"])
+        .args([binary.as_os_str(), source.as_os_str()])
+        .args(["-lmpfr", "-lgmp"]))
 }
 
 fn modified(path: &Path) -> Option<SystemTime> {

@@ -11,7 +11,9 @@
 //! | `workloads` | the corpus: workloads, inputs by hand, regressions; subsets of small grids |
 //! | `regular` | the corpus with several kinds of weights |
 //! | `files` | the collected files |
+//! | `alpha` | alpha values, as exact fractions |
 
+mod alpha;
 mod files;
 mod regular;
 mod workloads;

@@ -153,27 +153,12 @@ impl<T: Signed> Radius<T> {
     }
 
     /// Of the smallest sphere through the vertices, or orthogonal to them if they have weights.
-    ///
-    /// All edges are brought to one denominator c, the product of the w of the vertices.
     pub(super) fn of_simplex<const D: usize>(
         points: &[Homogeneous<T, D>],
         weights: Option<&[T]>,
     ) -> Self {
-        let (first, others) = points.split_first().expect("a simplex has a vertex");
-        let product = |but: usize| {
-            let others = points.iter().enumerate().filter(|(i, _)| *i != 0 && *i != but);
-            others.fold(T::one(), |c, (_, point)| times(&c, &point.w))
-        };
-        let edges: SmallVec<[[T; D]; 3]> = (1..)
-            .zip(others)
-            .map(|(i, point)| point.all_from(first).map(|x| times(&x, &product(i))))
-            .collect();
-        let c_square = square(&times(&product(0), &first.w));
-        let height = |i: usize, square: &T| {
-            let Some(weights) = weights else { return square.clone() };
-            let over = minus(weights[i + 1].clone(), &weights[0]);
-            minus(square.clone(), &times(&over, &c_square))
-        };
+        let (edges, c_square) = edges(points);
+        let height = |i: usize, square: &T| height(weights, &c_square, i, square.clone());
         let (gram, bordered) = bordered(&edges, height).determinants();
         let denominator = quadruple(&times(&gram, &c_square));
         let mut numerator = -bordered;
@@ -200,6 +185,29 @@ impl<T: Signed> Radius<T> {
             [(self, other), (other, self)].map(|(a, b)| times(&a.numerator, &b.denominator));
         compare(left, &right)
     }
+}
+
+/// All edges from the first point, brought to one denominator c, the product of the w of the points; and the square of c.
+pub(super) fn edges<T: Ring, const D: usize>(
+    points: &[Homogeneous<T, D>],
+) -> (SmallVec<[[T; D]; 4]>, T) {
+    let (first, others) = points.split_first().expect("a simplex has a vertex");
+    let product = |but: usize| {
+        let others = points.iter().enumerate().filter(|(i, _)| *i != 0 && *i != but);
+        others.fold(T::one(), |c, (_, point)| times(&c, &point.w))
+    };
+    let edges = (1..)
+        .zip(others)
+        .map(|(i, point)| point.all_from(first).map(|x| times(&x, &product(i))))
+        .collect();
+    (edges, square(&times(&product(0), &first.w)))
+}
+
+/// The height of edge `i`, of this squared length: less the weight of its end over that of the first point.
+pub(super) fn height<T: Ring>(weights: Option<&[T]>, c_square: &T, i: usize, length: T) -> T {
+    let Some(weights) = weights else { return length };
+    let over = minus(weights[i + 1].clone(), &weights[0]);
+    minus(length, &times(&over, c_square))
 }
 
 fn quadruple<T: Ring>(a: &T) -> T {

@@ -166,3 +166,102 @@ fn radii_in_words_have_head_room_at_the_largest_differences() {
         }
     }
 }
+
+/// The power of the last point to the circle or sphere with the others' flat, by Cramer's rule in rationals of small integers:
+/// det G (h_q - sum l_i (v_i . c)), with 2 G l = h.
+fn power_by_definition(points: &[[f64; 3]], weights: &[f64]) -> f64 {
+    let from = |i: usize| [0, 1, 2].map(|x| points[i][x] - points[0][x]);
+    let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    let last = points.len() - 1;
+    let height = |i: usize| dot(from(i), from(i)) - weights[i] + weights[0];
+    let c = from(last);
+    match last {
+        1 => height(1),
+        2 => dot(from(1), from(1)) * height(2) - dot(c, from(1)) * height(1),
+        3 => {
+            let (u, v) = (from(1), from(2));
+            let (uu, uv, vv) = (dot(u, u), dot(u, v), dot(v, v));
+            let (l, m) = (height(1) * vv - height(2) * uv, height(2) * uu - height(1) * uv);
+            (uu * vv - uv * uv) * height(3) - l * dot(u, c) - m * dot(v, c)
+        }
+        _ => panic!("two to four points"),
+    }
+}
+
+#[test]
+fn in_smallest_sphere_is_the_sign_of_the_power() {
+    let (mut state, mut zeros, mut inside) = (11, 0, 0);
+    for round in 0..3000 {
+        let points: [[f64; 3]; 4] = std::array::from_fn(|_| [0; 3].map(|_| whole(&mut state, 2)));
+        let weights: [f64; 4] =
+            std::array::from_fn(|_| if round % 2 == 0 { 0.0 } else { whole(&mut state, 2) });
+        let simplex = &[0usize, 1, 2][..1 + round / 2 % 3];
+        let q = simplex.len();
+        let expected = power_by_definition(&points[..=q], &weights);
+        let expected = -Sign::of(expected);
+        zeros += usize::from(expected == Sign::Zero);
+        inside += usize::from(expected == Sign::Positive);
+        let weighted = Weighted::new(points, weights);
+        if weighted.squared_radius(simplex) == f64::INFINITY {
+            continue; // flat
+        }
+        assert_eq!(weighted.in_smallest_sphere(simplex, q), expected, "{points:?} {weights:?}");
+        if round % 2 == 0 {
+            let (adaptive, exact) = (Adaptive::new(points), Exact::new(points));
+            assert_eq!(adaptive.in_smallest_sphere(simplex, q), expected, "{points:?}");
+            assert_eq!(exact.in_smallest_sphere(simplex, q), expected, "{points:?}");
+        }
+    }
+    assert!(zeros > 50 && inside > 100, "{zeros} {inside}");
+}
+
+#[test]
+fn radius_bounds_hold_the_radius() {
+    let (mut state, mut narrow) = (5, 0);
+    for round in 0..600 {
+        let bits = [2, 20, 53][round % 3];
+        let points: [[f64; 3]; 4] =
+            std::array::from_fn(|_| [0; 3].map(|_| whole(&mut state, bits)));
+        let weights: [f64; 4] = std::array::from_fn(|_| whole(&mut state, bits));
+        let simplex = &[0usize, 1, 2, 3][..1 + round / 3 % 4];
+        let (plain, weighted) = (Adaptive::new(points), Weighted::new(points, weights));
+        for ([low, high], exact) in [
+            (plain.radius_bounds(simplex), plain.exact_squared_radius(simplex)),
+            (weighted.radius_bounds(simplex), weighted.exact_squared_radius(simplex)),
+        ] {
+            let bound = |x: f64| SquaredRadius::new(Dyadic::from(x), Dyadic::from(1));
+            assert!(!low.is_finite() || bound(low) <= exact, "{points:?} {weights:?}");
+            assert!(!high.is_finite() || exact <= bound(high), "{points:?} {weights:?}");
+            narrow += usize::from(high - low <= high.abs() * 1e-9);
+        }
+    }
+    assert!(narrow > 800, "{narrow}");
+}
+
+/// Coordinates of 53 bits, and queries near the sphere: rounded points of it.
+#[test]
+fn in_smallest_sphere_is_exact_near_the_sphere() {
+    let mut state = 17;
+    for round in 0..2000 {
+        let unit = [1.0, 2f64.powi(-600), 2f64.powi(300), 2f64.powi(-90)][round % 4];
+        let mut points: [[f64; 3]; 4] =
+            std::array::from_fn(|_| [0; 3].map(|_| whole(&mut state, 53) * unit));
+        // The antipode of a vertex, mirrored in the middle of an edge or in the centre of a right triangle.
+        let simplex = &[0usize, 1, 2][..2 + round % 2];
+        let (a, b) = (points[0], points[1]);
+        let mirrored = std::array::from_fn(|x| a[x] + b[x] - points[2][x]);
+        if round % 3 == 0 {
+            points[3] = mirrored;
+        }
+        let q = if simplex.len() == 2 { 2 } else { 3 };
+        if simplex.len() == 2 && round % 3 == 1 {
+            points[2] = [a[0], b[1], b[2]]; // a corner of the box of an edge is on its sphere
+        }
+        let (ours, exact) = (Adaptive::new(points), Exact::new(points));
+        assert_eq!(
+            ours.in_smallest_sphere(simplex, q),
+            exact.in_smallest_sphere(simplex, q),
+            "{points:?}"
+        );
+    }
+}

@@ -7,11 +7,15 @@
 //!
 //! Flat simplices are those whose denominator is zero.
 //!
+//! **Inside.** A point is inside the smallest sphere through others as `metric/ball.rs` says: of one edge if it sees that at an obtuse
+//! angle; of a triangle by a determinant of three rows, whose entries are products of edges.
+//!
 //! **Head-room.** Coordinates are at most 2^61 in magnitude, so differences, u - v among them, at most 2^b with b = 62. A square
 //! of an edge is at most 3 * 2^(2b), 126 bits; a coordinate of u x v at most 2^(2b+1), 126 bits with its sign. So of a triangle the numerator is at most
 //! 27 * 2^(6b) < 2^(6b+5), the denominator, without the 4, at most 3 * 2^(4b+2) < 2^(4b+4). Of a tetrahedron the vector is at most 3 * 3 * 2^(2b) *
 //! 2^(2b+1) < 2^(4b+5) on each axis, 254 bits with its sign, and the numerator 3 * 2^(8b+10) < 2^(8b+12) = 2^508; the determinant at
-//! most 6 * 2^(3b) < 2^(3b+3), and the denominator 2^(6b+6) = 2^378. These are 2, 2, 6, 4, 4, 8, 3 and 6 limbs.
+//! most 6 * 2^(3b) < 2^(3b+3), and the denominator 2^(6b+6) = 2^378. These are 2, 2, 6, 4, 4, 8, 3 and 6 limbs. The determinant of three
+//! rows of products is at most 6 * (3 * 2^(2b))^3 < 2^(6b+8) = 2^380: 6 limbs.
 
 use std::cmp::Ordering;
 
@@ -33,6 +37,25 @@ fn square([x, y, z]: &Vector) -> Int<2> {
 /// The order of two lengths.
 pub(super) fn compare_lengths([a, b]: [[i64; 3]; 2], [c, d]: [[i64; 3]; 2]) -> Ordering {
     order((square(&from(b, a)) - square(&from(d, c))).sign())
+}
+
+fn product([a, b, c]: &Vector, [x, y, z]: &Vector) -> Int<2> {
+    a.times::<1, 2>(x) + b.times(y) + c.times(z)
+}
+
+/// Whether the last point is inside the smallest sphere through the one to three others.
+pub(super) fn in_ball(points: &[[i64; 3]]) -> Option<Sign> {
+    Some(match *points {
+        [a, q] => -square(&from(q, a)).sign(),
+        [a, b, q] => -product(&from(a, q), &from(b, q)).sign(),
+        [a, b, c, q] => {
+            let [u, v, w] = [b, c, q].map(|p| from(p, a));
+            let row = |e: &Vector| [product(e, &u), product(e, &v), square(e)];
+            let rows = [row(&u), row(&v), row(&w)];
+            -space::<2, 4, 6>([&rows[0], &rows[1], &rows[2]]).sign()
+        }
+        _ => return None,
+    })
 }
 
 fn cross(u: &Vector, v: &Vector) -> [Int<2>; 3] {
