@@ -53,21 +53,39 @@ pub enum CodeFault {
 impl fmt::Display for CodeFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Truncated { at } => write!(f, "the code ends at {at} before its tree: append what is missing"),
+            Self::Truncated { at } => {
+                write!(f, "the code ends at {at} before its tree: append what is missing")
+            }
             Self::Trailing { at } => write!(f, "the tree is complete before {at}: drop the rest"),
-            Self::TooDeep { at } => write!(f, "node {at} is deeper than cells go: cut the tree off above it"),
-            Self::Symbol { at } => write!(f, "the symbol at {at} is none of this encoding: see its page"),
+            Self::TooDeep { at } => {
+                write!(f, "node {at} is deeper than cells go: cut the tree off above it")
+            }
+            Self::Symbol { at } => {
+                write!(f, "the symbol at {at} is none of this encoding: see its page")
+            }
             Self::Disorder { at } => {
-                write!(f, "cell {at} overlaps one before it or should precede it: sort, keep disjoint cells")
+                write!(
+                    f,
+                    "cell {at} overlaps one before it or should precede it: sort, keep disjoint cells"
+                )
             }
             Self::Axis { at, expected } => {
-                write!(f, "node {at} is cut on the wrong axis: axes alternate, here it is {expected}")
+                write!(
+                    f,
+                    "node {at} is cut on the wrong axis: axes alternate, here it is {expected}"
+                )
             }
             Self::Hyperplane { at } => {
-                write!(f, "the hyperplane of node {at} is not inside its cell, or not its middle where that is needed")
+                write!(
+                    f,
+                    "the hyperplane of node {at} is not inside its cell, or not its middle where that is needed"
+                )
             }
             Self::Raster { depth } => {
-                write!(f, "a raster of depth {depth} is too coarse for the tree or too large: choose another")
+                write!(
+                    f,
+                    "a raster of depth {depth} is too coarse for the tree or too large: choose another"
+                )
             }
         }
     }

@@ -4,10 +4,12 @@ mod cell;
 mod codes;
 mod colour;
 mod fault;
+mod frame;
 mod measure;
 mod orth;
 mod raster;
 mod sets;
+mod shape;
 mod writer;
 
 #[cfg(test)]
@@ -17,6 +19,8 @@ pub use cell::{Cell, DEPTH_MAX};
 pub use codes::Bits;
 pub use colour::Colour;
 pub use fault::CodeFault;
+pub use frame::{Frame, FrameFault};
 pub use measure::{Components, Joined};
 pub use orth::{Counts, OrthTree};
 pub use raster::{RASTER_BITS_MAX, Raster};
+pub use shape::{LeafRule, Rule, Shape, ShapeFault};

@@ -53,7 +53,9 @@ impl<const N: usize> OrthTree<N> {
                 // The facet is the smaller one's; of equal leaves, the black one's.
                 let differs = match cell.neighbour(steps).map(|beyond| index.find(beyond)) {
                     None => colour == Colour::Black,
-                    Some(found) if found.level < cell.level() => found.colour == colour.complement(),
+                    Some(found) if found.level < cell.level() => {
+                        found.colour == colour.complement()
+                    }
                     Some(found) => colour == Colour::Black && found.colour == Colour::White,
                 };
                 surface += if differs { facet } else { 0 };
@@ -70,7 +72,17 @@ fn levels_below<const N: usize>(cell: Cell<N>, depth: u8) -> Option<usize> {
 
 /// The steps over facets.
 fn facet_steps<const N: usize>() -> impl Iterator<Item = [i8; N]> + Clone {
-    (0..2 * N).map(|i| std::array::from_fn(|axis| if axis != i / 2 { 0 } else if i % 2 == 0 { -1 } else { 1 }))
+    (0..2 * N).map(|i| {
+        std::array::from_fn(|axis| {
+            if axis != i / 2 {
+                0
+            } else if i % 2 == 0 {
+                -1
+            } else {
+                1
+            }
+        })
+    })
 }
 
 /// The steps to all neighbours.

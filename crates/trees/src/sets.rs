@@ -92,7 +92,8 @@ impl<const N: usize> OrthTree<N> {
         let mut missing = 1;
         let mut len = 0;
         while missing > 0 {
-            missing = if code[len] == Colour::Gray { missing + Self::ARITY - 1 } else { missing - 1 };
+            missing =
+                if code[len] == Colour::Gray { missing + Self::ARITY - 1 } else { missing - 1 };
             len += 1;
         }
         len

@@ -56,7 +56,8 @@ proptest! {
 fn levels_are_read_from_the_top() {
     // Gray, then B W gray W, then the sons of the gray one.
     let tree = OrthTree::<2>::from_text("(BW(WBBWW").unwrap();
-    let levels: String = tree.to_level_bits().iter().map(|bit| if bit { '1' } else { '0' }).collect();
+    let levels: String =
+        tree.to_level_bits().iter().map(|bit| if bit { '1' } else { '0' }).collect();
     assert_eq!(levels, ["1", "01", "00", "1", "00", "00", "01", "01", "00"].concat());
 }
 

@@ -75,7 +75,13 @@ fn share<const N: usize>(pattern: u32, joined: Joined) -> i64 {
             let weight = 1i64 << (N - spanned.count_ones() as usize);
             let codimension = if joined == Joined::ByFacets { N } else { 0 };
             let odd = (spanned.count_ones() as usize + codimension) % 2 == 1;
-            share += if !there { 0 } else if odd { -weight } else { weight };
+            share += if !there {
+                0
+            } else if odd {
+                -weight
+            } else {
+                weight
+            };
         }
     }
     share

@@ -74,7 +74,8 @@ fn measures_are_those_of_the_raster<const N: usize>(raster: &Raster<N>) {
     let tree = OrthTree::from_raster(raster);
     let cells = black(raster);
     let set: BTreeSet<Place<N>> = cells.iter().copied().collect();
-    let white = |cell: &Place<N>| facet_steps::<N>().filter(|&s| !set.contains(&step(*cell, s))).count();
+    let white =
+        |cell: &Place<N>| facet_steps::<N>().filter(|&s| !set.contains(&step(*cell, s))).count();
     let surface: usize = cells.iter().map(white).sum();
     assert_eq!(tree.surface(raster.depth()), Some(surface as u128));
     let facets: Vec<_> = facet_steps::<N>().collect();

@@ -16,7 +16,10 @@ fn set_algebra<const N: usize>(a: &OrthTree<N>, b: &OrthTree<N>, c: &OrthTree<N>
     assert_eq!(a.complement().complement(), *a);
     assert_eq!((a.union(&a.complement()), a.intersection(&a.complement())), (all, none));
     let volume = |tree: OrthTree<N>| tree.volume(DEPTH).unwrap();
-    assert_eq!(volume(a.union(b)) + volume(a.intersection(b)), volume(a.clone()) + volume(b.clone()));
+    assert_eq!(
+        volume(a.union(b)) + volume(a.intersection(b)),
+        volume(a.clone()) + volume(b.clone())
+    );
     assert!(is_normal(a.union(b).colours(), 1 << N));
 }
 
