@@ -22,6 +22,7 @@
 //! | the constrained Delaunay triangulation of points and segments | [`cdt`] |
 //! | what is inside a soup of edges, with or without holes | [`cdt::triangulate2d`], [`cdt::Domain`] |
 //! | chains, boundary operators, Betti numbers | [`lar`] |
+//! | quadtrees, octrees, their codes and set operations | [`trees`] |
 //! | a proof that a triangulation is one | [`check`] |
 //! | input: files, generators | [`formats`], [`workloads`] |
 //! | pictures | [`draw`] |
@@ -39,6 +40,7 @@ pub use delone_mesh as mesh;
 pub use delone_predicates as predicates;
 pub use delone_probe as probe;
 pub use delone_sites as sites;
+pub use delone_trees as trees;
 pub use delone_workloads as workloads;
 
 pub use delone_mesh::Mesh;

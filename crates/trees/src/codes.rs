@@ -39,12 +39,7 @@ impl<const N: usize> OrthTree<N> {
     /// ```
     #[must_use]
     pub fn to_text(&self) -> String {
-        let symbol = |&colour: &Colour| match colour {
-            Colour::White => 'W',
-            Colour::Black => 'B',
-            Colour::Gray => '(',
-        };
-        self.colours().iter().map(symbol).collect()
+        text_of(self.colours())
     }
 
     /// The tree of a depth-first expression; blanks are skipped.
@@ -52,14 +47,7 @@ impl<const N: usize> OrthTree<N> {
     /// # Errors
     /// At the first strange symbol, or if the expression is not one whole tree.
     pub fn from_text(text: &str) -> Result<Self, CodeFault> {
-        let symbols = text.chars().enumerate().filter(|(_, symbol)| !symbol.is_whitespace());
-        let colour = |(at, symbol)| match symbol {
-            'W' => Ok(Colour::White),
-            'B' => Ok(Colour::Black),
-            '(' => Ok(Colour::Gray),
-            _ => Err(CodeFault::Symbol { at }),
-        };
-        Self::new(&symbols.map(colour).collect::<Result<Vec<_>, _>>()?)
+        Self::new(&colours_of(text)?)
     }
 
     /// Depth first: 1 for gray, 0 and the colour (1 is black) for a leaf.
@@ -115,6 +103,26 @@ impl<const N: usize> OrthTree<N> {
         }
         Self::new(&colours)
     }
+}
+
+pub(crate) fn text_of(colours: &[Colour]) -> String {
+    let symbol = |&colour: &Colour| match colour {
+        Colour::White => 'W',
+        Colour::Black => 'B',
+        Colour::Gray => '(',
+    };
+    colours.iter().map(symbol).collect()
+}
+
+pub(crate) fn colours_of(text: &str) -> Result<Vec<Colour>, CodeFault> {
+    let symbols = text.chars().enumerate().filter(|(_, symbol)| !symbol.is_whitespace());
+    let colour = |(at, symbol)| match symbol {
+        'W' => Ok(Colour::White),
+        'B' => Ok(Colour::Black),
+        '(' => Ok(Colour::Gray),
+        _ => Err(CodeFault::Symbol { at }),
+    };
+    symbols.map(colour).collect()
 }
 
 /// Whether a sequence of nodes, each after the one above it, is all of one tree.

@@ -91,11 +91,11 @@ impl<const N: usize> OrthTree<N> {
         Self { colours: vec![Colour::of(colour == Colour::Black)] }
     }
 
-    pub(crate) fn writer() -> Writer {
+    pub(crate) fn writer() -> Writer<Colour> {
         Writer::new(Self::ARITY)
     }
 
-    pub(crate) fn written(writer: Writer) -> Self {
+    pub(crate) fn written(writer: Writer<Colour>) -> Self {
         Self { colours: writer.finish() }
     }
 

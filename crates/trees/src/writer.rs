@@ -2,15 +2,31 @@
 
 use crate::{CodeFault, Colour};
 
+/// A node of a depth-first code.
+pub(crate) trait Node: Copy + PartialEq {
+    /// Whether its sons follow.
+    fn is_gray(self) -> bool;
+}
+
+impl Node for Colour {
+    fn is_gray(self) -> bool {
+        self == Self::Gray
+    }
+}
+
 /// The code of one tree, which must be all of it.
-pub(crate) fn checked(colours: &[Colour], arity: usize, depth_max: usize) -> Result<(), CodeFault> {
+pub(crate) fn checked(
+    nodes: &[impl Node],
+    arity: usize,
+    depth_max: usize,
+) -> Result<(), CodeFault> {
     let mut open: Vec<usize> = Vec::new();
     let mut complete = false;
-    for (at, &colour) in colours.iter().enumerate() {
+    for (at, &node) in nodes.iter().enumerate() {
         if complete {
             return Err(CodeFault::Trailing { at });
         }
-        if colour == Colour::Gray {
+        if node.is_gray() {
             if open.len() == depth_max {
                 return Err(CodeFault::TooDeep { at });
             }
@@ -26,30 +42,30 @@ pub(crate) fn checked(colours: &[Colour], arity: usize, depth_max: usize) -> Res
             open.pop();
         };
     }
-    if complete { Ok(()) } else { Err(CodeFault::Truncated { at: colours.len() }) }
+    if complete { Ok(()) } else { Err(CodeFault::Truncated { at: nodes.len() }) }
 }
 
 /// Takes the nodes of a tree in depth-first order and keeps them in normal form: as soon as the last son of a gray node is
 /// there and all are leaves of one colour, they become that leaf.
 #[derive(Debug)]
-pub(crate) struct Writer {
+pub(crate) struct Writer<T> {
     arity: usize,
-    colours: Vec<Colour>,
+    nodes: Vec<T>,
     /// The gray nodes above the next node: where they are, how many sons they wait for.
     open: Vec<(usize, usize)>,
 }
 
-impl Writer {
+impl<T: Node> Writer<T> {
     pub(crate) fn new(arity: usize) -> Self {
-        Self { arity, colours: Vec::new(), open: Vec::new() }
+        Self { arity, nodes: Vec::new(), open: Vec::new() }
     }
 
-    pub(crate) fn push(&mut self, colour: Colour) {
-        let begun = self.colours.is_empty() || !self.open.is_empty();
+    pub(crate) fn push(&mut self, node: T) {
+        let begun = self.nodes.is_empty() || !self.open.is_empty();
         assert!(begun, "a complete tree takes no further node");
-        self.colours.push(colour);
-        if colour == Colour::Gray {
-            self.open.push((self.colours.len() - 1, self.arity));
+        self.nodes.push(node);
+        if node.is_gray() {
+            self.open.push((self.nodes.len() - 1, self.arity));
             return;
         }
         while let Some((gray, sons)) = self.open.last_mut() {
@@ -64,29 +80,30 @@ impl Writer {
     }
 
     fn merge(&mut self, gray: usize) {
-        let sons = &self.colours[gray + 1..];
+        let sons = &self.nodes[gray + 1..];
         let first = sons[0];
-        if sons.len() == self.arity && first != Colour::Gray && sons.iter().all(|&s| s == first) {
-            self.colours.truncate(gray);
-            self.colours.push(first);
+        if sons.len() == self.arity && !first.is_gray() && sons.iter().all(|&s| s == first) {
+            self.nodes.truncate(gray);
+            self.nodes.push(first);
         }
     }
 
-    pub(crate) fn finish(mut self) -> Vec<Colour> {
-        assert!(self.open.is_empty() && !self.colours.is_empty(), "the tree is incomplete");
-        self.colours.shrink_to_fit();
-        self.colours
+    pub(crate) fn finish(mut self) -> Vec<T> {
+        assert!(self.open.is_empty() && !self.nodes.is_empty(), "the tree is incomplete");
+        self.nodes.shrink_to_fit();
+        self.nodes
     }
 }
 
 /// For each node of a well-formed code the place behind its subtree.
-pub(crate) fn ends(colours: &[Colour], arity: usize) -> Vec<usize> {
-    let mut ends = vec![0; colours.len()];
+pub(crate) fn ends(nodes: &[impl Node], arity: usize) -> Vec<usize> {
+    let mut ends = vec![0; nodes.len()];
     let mut roots: Vec<usize> = Vec::new(); // ends of subtrees to the right, the next one last
-    for (at, &colour) in colours.iter().enumerate().rev() {
-        let end = match colour {
-            Colour::Gray => roots.drain(roots.len() - arity..).next().expect("sons are behind"),
-            Colour::White | Colour::Black => at + 1,
+    for (at, &node) in nodes.iter().enumerate().rev() {
+        let end = if node.is_gray() {
+            roots.drain(roots.len() - arity..).next().expect("sons are behind")
+        } else {
+            at + 1
         };
         ends[at] = end;
         roots.push(end);
