@@ -16,7 +16,7 @@
 //! | a hyperplane that is not the middle | no 2^N-tree | `free_hyperplanes_have_no_orth_tree` |
 
 use crate::orth::Counts;
-use crate::writer::{Node, Writer, checked, ends, son};
+use crate::writer::{Node, Writer, checked, due, ends, son};
 use crate::{CodeFault, Colour, DEPTH_MAX, OrthTree};
 
 #[cfg(test)]
@@ -120,7 +120,7 @@ impl<const N: usize> BinTree<N> {
         let mut pending = vec![Part::<N>::ROOT];
         let mut writer = Writer::new(2);
         for (place, &node) in nodes.iter().enumerate() {
-            let part = pending.pop().expect("Inv 1: the nodes are one whole tree");
+            let part = due(pending.pop());
             if let BinNode::Cut { axis, at } = node {
                 part.checked(place, axis, at)?;
                 let [lower, upper] = part.cut(at);
@@ -151,7 +151,7 @@ impl<const N: usize> BinTree<N> {
         }
         let mut rest = self.nodes.iter();
         loop {
-            match rest.next().expect("Inv 1: the nodes are one whole tree") {
+            match due(rest.next()) {
                 BinNode::White => return Some(false),
                 BinNode::Black => return Some(true),
                 &BinNode::Cut { axis, at } if point[usize::from(axis)] >= at => skip(&mut rest),
@@ -165,7 +165,7 @@ impl<const N: usize> BinTree<N> {
 fn skip<'a>(nodes: &mut impl Iterator<Item = &'a BinNode>) {
     let mut missing = 1;
     while missing > 0 {
-        let node = nodes.next().expect("Inv 1: the nodes are one whole tree");
+        let node = due(nodes.next());
         missing = if node.is_gray() { missing + 1 } else { missing - 1 };
     }
 }
@@ -206,7 +206,7 @@ impl<const N: usize> TryFrom<&BinTree<N>> for OrthTree<N> {
         let nodes = tree.nodes();
         let mut parts = vec![Part::<N>::ROOT];
         for (place, &node) in nodes.iter().enumerate() {
-            let part = parts.pop().expect("Inv 1: the nodes are one whole tree");
+            let part = due(parts.pop());
             if let BinNode::Cut { at, .. } = node {
                 if at != part.middle() {
                     return Err(CodeFault::Hyperplane { at: place });
@@ -224,7 +224,7 @@ impl<const N: usize> TryFrom<&BinTree<N>> for OrthTree<N> {
         };
         let mut pending = vec![0];
         Ok(Self::grown(|_| {
-            let node = pending.pop().expect("sons are pending as long as the tree grows");
+            let node = due(pending.pop());
             let colour = nodes[node].colour();
             if colour == Colour::Gray {
                 pending.extend((0..Self::ARITY).rev().map(|which| below(node, which)));

@@ -72,11 +72,7 @@ impl<const N: usize> Cell<N> {
         if level > DEPTH_MAX || key >> (N * usize::from(level)) != 0 {
             return None;
         }
-        let son = |above: Self, level: u8| {
-            let digit = key >> (N * usize::from(level)) & ((1 << N) - 1);
-            above.son(usize::try_from(digit).expect("a digit is small"))
-        };
-        Some((0..level).rev().fold(Self::ROOT, son))
+        Some((0..level).rev().fold(Self::ROOT, |above, level| above.son(digit::<N>(key, level))))
     }
 
     /// The cell of the same size so many steps away, if it is in the cube. O(1).
@@ -100,4 +96,10 @@ impl<const N: usize> Cell<N> {
         self.level <= other.level
             && self.anchor == other.anchor.map(|c| c >> (other.level - self.level))
     }
+}
+
+/// The son that a key names at so many levels above its last.
+fn digit<const N: usize>(key: u128, level: u8) -> usize {
+    let digit = key >> (N * usize::from(level)) & ((1 << N) - 1);
+    usize::try_from(digit).expect("a digit is less than 2^N")
 }

@@ -6,7 +6,7 @@
 
 mod index;
 
-use crate::writer::{Writer, checked};
+use crate::writer::{Writer, checked, due};
 use crate::{Cell, CodeFault, Colour, DEPTH_MAX};
 pub(crate) use index::Index;
 
@@ -139,7 +139,7 @@ impl<const N: usize> OrthTree<N> {
     pub fn cells(&self) -> impl Iterator<Item = (Cell<N>, Colour)> + Clone + '_ {
         let mut pending = vec![Cell::ROOT];
         self.colours.iter().map(move |&colour| {
-            let cell = pending.pop().expect("Inv 1: a code is one whole tree");
+            let cell = due(pending.pop());
             if colour == Colour::Gray {
                 pending.extend((0..Self::ARITY).rev().map(|son| cell.son(son)));
             }

@@ -111,6 +111,11 @@ pub(crate) fn ends(nodes: &[impl Node], arity: usize) -> Vec<usize> {
     ends
 }
 
+/// What comes next in a well-formed code, or is pending for it.
+pub(crate) fn due<T>(next: Option<T>) -> T {
+    next.expect("a code is one whole tree")
+}
+
 /// The place of a gray node's son.
 pub(crate) fn son(ends: &[usize], gray: usize, which: usize) -> usize {
     (0..which).fold(gray + 1, |at, _| ends[at])

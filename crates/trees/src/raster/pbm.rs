@@ -33,7 +33,7 @@ impl Raster<2> {
         let (width, rest) = number(rest).ok_or(CodeFault::Symbol { at: 1 })?;
         let (height, rest) = number(rest).ok_or(CodeFault::Symbol { at: 2 })?;
         let side = width.max(height).max(1).next_power_of_two();
-        let mut raster = Self::white(u8::try_from(side.trailing_zeros()).expect("below 64"))?;
+        let mut raster = Self::white(levels(side))?;
         let mut pixels = rest.chars().filter(|symbol| !symbol.is_whitespace());
         for y in (0..height).rev() {
             for x in 0..width {
@@ -50,6 +50,12 @@ impl Raster<2> {
     }
 }
 
+/// The depth of a raster of this side, a power of two.
+fn levels(side: usize) -> u8 {
+    u8::try_from(side.trailing_zeros()).expect("words have fewer bits")
+}
+
+/// A number of up to `2^14` at the beginning of a text, and the rest.
 fn number(text: &str) -> Option<(usize, &str)> {
     let text = text.trim_start();
     let end = text.find(|c: char| !c.is_ascii_digit()).unwrap_or(text.len());

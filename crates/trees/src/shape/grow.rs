@@ -22,6 +22,7 @@
 use delone_predicates::{Sign, orient2d};
 
 use super::{Edge, LeafRule, Shape};
+use crate::writer::due;
 use crate::{Cell, Colour, Frame, OrthTree};
 
 pub(super) fn grow(shape: &Shape, frame: &Frame<2>, rule: LeafRule) -> OrthTree<2> {
@@ -29,7 +30,7 @@ pub(super) fn grow(shape: &Shape, frame: &Frame<2>, rule: LeafRule) -> OrthTree<
     let mut grower =
         Grower { shape, frame, rule, lists: Vec::new(), pending: Vec::new(), list: Vec::new() };
     grower.list = (0..shape.edges.len()).collect();
-    let winding = shape.edges.iter().map(|edge| edge.from_the_left(lower)).sum();
+    let winding = shape.edges.iter().map(|edge| edge.step_to(lower)).sum();
     grower.push(winding, lower, upper);
     OrthTree::grown(|cell| grower.colour(cell))
 }
@@ -48,8 +49,7 @@ struct Grower<'s> {
 
 impl Grower<'_> {
     fn colour(&mut self, cell: Cell<2>) -> Colour {
-        let (winding, start) =
-            self.pending.pop().expect("sons are pending as long as the tree grows");
+        let (winding, start) = due(self.pending.pop());
         if start == self.lists.len() {
             return Colour::of(self.shape.is_inside(winding)); // Inv 3
         }
@@ -133,7 +133,7 @@ impl Edge {
     }
 
     /// How the winding number changes over this segment on the horizontal way to a reference point from far on the left.
-    fn from_the_left(&self, point: [f64; 2]) -> i64 {
+    fn step_to(&self, point: [f64; 2]) -> i64 {
         if !self.straddles(point, 1) {
             return 0;
         }
