@@ -3,6 +3,7 @@
 mod bench;
 mod fuzz;
 mod replay;
+mod tree;
 
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
@@ -13,6 +14,7 @@ use clap_complete::Shell;
 pub(crate) use bench::{Bench, BenchAction, Engine};
 pub(crate) use fuzz::{Fuzz, Program, Shrink};
 pub(crate) use replay::Replay;
+pub(crate) use tree::{Build, Code, Encode, Inside, Leaves, SonsIn, Stats, Tree, TreeAction};
 
 #[derive(Parser)]
 #[command(
@@ -45,6 +47,8 @@ pub(crate) enum Command {
     /// Triangulate the inside of a soup of boundary edges, holes unknown
     #[command(name = "triangulate2d")]
     Triangulate2d(Triangulate2d),
+    /// Quadtrees of shapes, their numbers and codes
+    Tree(Tree),
     /// Judge any triangulation of an input, also another program's
     Check(Check),
     /// Generate a workload

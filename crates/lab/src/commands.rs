@@ -12,6 +12,7 @@ mod generate;
 mod meta;
 mod replay;
 mod shrink;
+mod tree;
 mod triangulate;
 mod triangulate2d;
 
@@ -25,6 +26,7 @@ pub(crate) fn run(command: &Command) -> Result<(), Failure> {
         Command::Delaunay(arguments) => triangulate::delaunay(arguments),
         Command::Cdt(arguments) => triangulate::cdt(arguments),
         Command::Triangulate2d(arguments) => triangulate2d::triangulate2d(arguments),
+        Command::Tree(arguments) => tree::tree(arguments),
         Command::Check(arguments) => check::check(arguments),
         Command::Gen(arguments) => generate::generate(arguments),
         Command::Convert(arguments) => convert::convert(arguments),

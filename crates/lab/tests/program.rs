@@ -7,6 +7,8 @@ mod bench;
 mod fuzz;
 #[path = "program/pages.rs"]
 mod pages;
+#[path = "program/tree.rs"]
+mod tree;
 #[path = "program/weights.rs"]
 mod weights;
 
