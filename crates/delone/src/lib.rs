@@ -24,6 +24,7 @@
 //! | alpha complexes and shapes, persistent homology | [`alpha`] |
 //! | what is inside a soup of edges, with or without holes | [`cdt::triangulate2d`], [`cdt::Domain`] |
 //! | chains, boundary operators, Betti numbers | [`lar`] |
+//! | quadtrees, octrees, their codes and set operations | [`trees`] |
 //! | a proof that a triangulation is one | [`check`] |
 //! | input: files, generators | [`formats`], [`workloads`] |
 //! | pictures | [`draw`] |
@@ -43,6 +44,7 @@ pub use delone_mesh as mesh;
 pub use delone_predicates as predicates;
 pub use delone_probe as probe;
 pub use delone_sites as sites;
+pub use delone_trees as trees;
 pub use delone_workloads as workloads;
 
 pub use delone_mesh::Mesh;

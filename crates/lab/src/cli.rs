@@ -6,6 +6,7 @@ mod exercise;
 mod fuzz;
 mod replay;
 mod steiner;
+mod tree;
 
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
@@ -17,6 +18,7 @@ pub(crate) use steiner::{Conform, Refine, Refinement};
 pub(crate) use bench::{Bench, BenchAction, Engine};
 pub(crate) use fuzz::{Fuzz, Program, Shrink};
 pub(crate) use replay::Replay;
+pub(crate) use tree::{Build, Code, Encode, Inside, Leaves, SonsIn, Stats, Tree, TreeAction};
 
 pub(crate) use alpha::{Alpha, Asked, Mode};
 pub(crate) use exercise::{Method, Piped, Sample, SvgToLar, Text};
@@ -65,6 +67,8 @@ pub(crate) enum Command {
     /// Triangulate the inside of a soup of boundary edges, holes unknown
     #[command(name = "triangulate2d")]
     Triangulate2d(Triangulate2d),
+    /// Quadtrees of shapes, their numbers and codes
+    Tree(Tree),
     /// Judge any triangulation of an input, also another program's
     Check(Check),
     /// Generate a workload

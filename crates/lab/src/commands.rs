@@ -16,6 +16,7 @@ mod meta;
 mod refine;
 mod replay;
 mod shrink;
+mod tree;
 mod triangulate;
 mod triangulate2d;
 
@@ -35,6 +36,7 @@ pub(crate) fn run(command: &Command) -> Result<(), Failure> {
         Command::SvgToLar(arguments) => exercise::svg_to_lar(arguments),
         Command::Sample(arguments) => exercise::sample(arguments),
         Command::Triangulate2d(arguments) => triangulate2d::triangulate2d(arguments),
+        Command::Tree(arguments) => tree::tree(arguments),
         Command::Check(arguments) => check::check(arguments),
         Command::Gen(arguments) => generate::generate(arguments),
         Command::Convert(arguments) => convert::convert(arguments),

@@ -11,6 +11,8 @@ mod fuzz;
 mod pages;
 #[path = "program/steiner.rs"]
 mod steiner;
+#[path = "program/tree.rs"]
+mod tree;
 #[path = "program/weights.rs"]
 mod weights;
 
