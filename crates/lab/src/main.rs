@@ -14,6 +14,7 @@ mod input;
 mod judge;
 mod output;
 mod pictures;
+mod pipe;
 mod progress;
 mod result;
 mod sampling;
@@ -28,6 +29,7 @@ use clap::Parser;
 use crate::failure::Failure;
 
 fn main() -> ExitCode {
+    pipe::end_quietly_when_closed();
     let arguments = match cli::Arguments::try_parse() {
         Ok(arguments) => arguments,
         Err(error) => {

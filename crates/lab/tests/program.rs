@@ -40,6 +40,19 @@ const KITE: &str = "4 2 0 0\n1 0 0\n2 3 1\n3 6 0\n4 3 -1\n1 0\n1 1 3\n0\n";
 const CROSS: &str = "4 2 0 0\n1 0 0\n2 2 2\n3 0 2\n4 2 0\n2 0\n1 1 2\n2 3 4\n0\n";
 
 #[test]
+fn a_reader_that_has_read_enough_is_no_fault() {
+    let folder = folder();
+    std::fs::write(folder.path().join("kite.poly"), KITE).unwrap();
+    let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_delone"));
+    command.args(["cdt", "kite.poly"]).current_dir(folder.path());
+    let (reader, writer) = std::io::pipe().unwrap();
+    drop(reader); // before a word is printed
+    let output = command.stdout(writer).output().unwrap();
+    assert_eq!(output.status.code(), Some(141));
+    assert_eq!(String::from_utf8(output.stderr).unwrap(), "");
+}
+
+#[test]
 fn cdt_tells_the_keys_of_the_contract() {
     let folder = folder();
     std::fs::write(folder.path().join("kite.poly"), KITE).unwrap();
