@@ -6,8 +6,10 @@ use crate::oracle;
 use crate::random::{Random, power_of_two};
 
 mod constructed;
+mod metric;
 
 pub use constructed::round_of_constructed;
+pub use metric::round_of_metric;
 
 /// Kinds of points.
 const KINDS: u64 = 10;

@@ -1,7 +1,7 @@
 //! A small soak in every test run, and the oracle against its second formulation.
 
 use delone_benches::adversary::{
-    Tally, points, round, round_of_constructed, round_of_cross, round_of_power,
+    Tally, points, round, round_of_constructed, round_of_cross, round_of_metric, round_of_power,
 };
 use delone_benches::oracle;
 use delone_benches::predicates::{Input, Predicate, contestants, tuples};
@@ -42,6 +42,12 @@ fn constructed_points_agree_with_the_oracle() {
     soak(23, 300, round_of_constructed::<2>);
     soak(24, 150, round_of_constructed::<3>);
     soak(25, 20, round_of_constructed::<4>);
+}
+
+#[test]
+fn lengths_radii_and_smallest_spheres_agree_with_the_oracle() {
+    soak(26, 300, round_of_metric::<2>);
+    soak(27, 200, round_of_metric::<3>);
 }
 
 #[test]

@@ -3,7 +3,7 @@
 //! Arguments: the number of calls (default 1,000,000), a seed (default 1). Ends with 1 if a sign was wrong.
 
 use delone_benches::adversary::{
-    Tally, round, round_of_constructed, round_of_cross, round_of_power,
+    Tally, round, round_of_constructed, round_of_cross, round_of_metric, round_of_power,
 };
 use delone_benches::random::Random;
 
@@ -14,7 +14,7 @@ const ROUNDS: usize = 10_000;
 type Task = (&'static str, fn(&mut Random, &mut Tally), usize);
 
 /// What is soaked, and how often in comparison: the oracle is slow in many dimensions.
-const TASKS: [Task; 13] = [
+const TASKS: [Task; 15] = [
     ("plane", round::<2, 4>, 1),
     ("space", round::<3, 5>, 1),
     ("cross", round_of_cross, 1),
@@ -28,6 +28,8 @@ const TASKS: [Task; 13] = [
     ("built 2", round_of_constructed::<2>, 10),
     ("built 3", round_of_constructed::<3>, 20),
     ("built 4", round_of_constructed::<4>, 100),
+    ("metric 2", round_of_metric::<2>, 10),
+    ("metric 3", round_of_metric::<3>, 20),
 ];
 
 #[expect(clippy::print_stdout, reason = "a program that reports")]

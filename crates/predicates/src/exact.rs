@@ -8,6 +8,7 @@
 //! |---|---|---|
 //! | machine words | b <= 30, 30, 20 (orient3d, in_circle, in_sphere) | `i64` and `i128` |
 //! | one limb | b <= 62 | minors in 2 limbs, cofactors in 3, heights in 2, up to 5 |
+//! | distilled sums | products inside the range | orient2d: no differences, a sum of doubles without error ([`distilled`]) |
 //! | two limbs, four limbs | b <= 126, b <= 254 | the same formulas, 2 and 4 times as wide |
 //! | leading terms | any | no differences: doubles scaled by powers of two, with a bound ([`leading`]) |
 //! | long sums | any | no differences: sums of monomials ([`long`]) |
@@ -33,6 +34,7 @@
 
 pub(crate) mod align;
 mod any;
+mod distilled;
 pub(crate) mod formulas;
 mod general;
 mod leading;
@@ -103,6 +105,12 @@ pub(crate) fn orient2d(a: &[f64; 2], b: &[f64; 2], c: &[f64; 2]) -> Answer {
     if let Some(values) = one_limb(&values) {
         let [p, q] = differences!(values, 2: 0 1);
         return (sign(wide(p[0]) * wide(q[1]) - wide(p[1]) * wide(q[0])), Stage::OneLimb);
+    }
+    if let Some(sign) = distilled::orient2d(&values) {
+        return (sign, Stage::Distilled);
+    }
+    if let Some(sign) = leading::orient(&[a, b, c], &[0, 1]) {
+        return (sign, Stage::LeadingTerms);
     }
     orient2d_in_two_limbs(&values).unwrap_or_else(|| orient(&[a, b, c], &[0, 1]))
 }
@@ -263,5 +271,7 @@ fn in_sphere_in_words(p: [i64; 3], q: [i64; 3], r: [i64; 3], s: [i64; 3]) -> i12
         + (height(p) * wide(qrs) - height(q) * wide(rsp))
 }
 
+#[cfg(test)]
+mod testing;
 #[cfg(test)]
 mod tests;

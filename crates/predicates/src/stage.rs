@@ -12,6 +12,8 @@ pub enum Stage {
     MachineWords,
     /// Exact integers, differences of one limb of 64 bits.
     OneLimb,
+    /// A sum of doubles without error, of products in their range.
+    Distilled,
     /// Exact integers, differences of two limbs.
     TwoLimbs,
     /// Exact integers, differences of four limbs.
@@ -32,11 +34,12 @@ pub enum Stage {
 
 impl Stage {
     /// All stages, in order.
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 13] = [
         Self::StaticFilter,
         Self::DynamicFilter,
         Self::MachineWords,
         Self::OneLimb,
+        Self::Distilled,
         Self::TwoLimbs,
         Self::FourLimbs,
         Self::LeadingTerms,

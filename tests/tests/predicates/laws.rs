@@ -3,7 +3,7 @@
 
 use delone::predicates::{
     Adaptive, Checked, Constructed, Construction, Counting, Dyadic, Exact, ExactOver, Kernel,
-    RobustCrate, Sign, Tally, Weighted,
+    Projected, RobustCrate, Sign, Tally, Weighted,
 };
 use delone_tests::exact::{power_of_two, scaled, translated};
 use delone_tests::generated::{coordinate, run};
@@ -20,6 +20,11 @@ trait Family {
     /// The weight of a point by number.
     fn weight(_: usize) -> f64 {
         0.0
+    }
+
+    /// A point's height over the paraboloid's foot, exactly, for small integers.
+    fn height(i: usize, p: &[f64]) -> f64 {
+        p.iter().map(|x| x * x).sum::<f64>() - Self::weight(i)
     }
 
     /// Exponents of coordinates and of scalings that the kernel can bear: whether any, or only small ones.
@@ -96,6 +101,22 @@ impl Family for OfWeighted {
     }
 }
 
+/// Points of a flat of R^7: the first coordinate stands in all places before the given ones too.
+struct OfProjected;
+
+impl Family for OfProjected {
+    type Over<const D: usize> = Projected<7, D, Adaptive<Vec<[f64; 7]>>>;
+    fn over<const D: usize>(points: &[[f64; D]], _: i32) -> Self::Over<D> {
+        let place = |p: &[f64; D]| std::array::from_fn(|axis| p[(axis + D).saturating_sub(7)]);
+        let base = Adaptive::new(points.iter().map(place).collect());
+        Projected::new(base, std::array::from_fn(|axis| axis + 7 - D))
+    }
+    fn height(_: usize, p: &[f64]) -> f64 {
+        let copies = f64::from(u32::try_from(7 - p.len()).expect("at most six"));
+        copies * p[0] * p[0] + p.iter().map(|x| x * x).sum::<f64>()
+    }
+}
+
 /// D + 2 points, and what to do with them.
 #[derive(Clone, Debug)]
 struct Input<const D: usize> {
@@ -168,7 +189,7 @@ fn is_dual<F: Family, const D: usize, const E: usize>(input: &Input<D>) {
         .map(|p| p.map(|x| if x.abs() < 1e6 { x.round() } else { 3.0 }))
         .collect();
     let lift = |(i, p): (usize, &[f64; D])| -> [f64; E] {
-        let height = p.iter().map(|x| x * x).sum::<f64>() - F::weight(i);
+        let height = F::height(i, p);
         std::array::from_fn(|axis| p.get(axis).copied().unwrap_or(height))
     };
     let raised: Vec<[f64; E]> = integers.iter().enumerate().map(lift).collect();
@@ -214,5 +235,6 @@ tests! {
     laws_of_a_counting_kernel: OfCounting;
     laws_of_constructed_points: OfConstructed;
     laws_of_weighted_sites: OfWeighted;
+    laws_of_points_of_a_flat: OfProjected;
     laws_of_the_crate_robust: OfRobust;
 }

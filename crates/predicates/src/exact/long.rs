@@ -6,7 +6,7 @@
 //! no carry runs through the whole length. What is left is a comparison of two numbers.
 //!
 //! **Cost.** (k+1)! monomials for an orientation in k axes, (k+2)! D for a lifted determinant. The widest sum, lifted in
-//! 7 axes, has degree 9: 9 * 2,098 bits, and 22 bits for its 9! * 8 terms: 296 limbs. In up to three axes numbers are cut to
+//! 7 axes, has degree 9: 9 * 2,098 bits, 22 bits for its 9! * 8 terms, and the limbs of a product over the highest place: 306 limbs. In up to three axes numbers are cut to
 //! the degree at hand: most of the time would go into clearing and comparing limbs that are not there.
 //!
 //! **In.** Rows of at most [`AXES_MAX`] coordinates. The recursion is as deep as a row is long.
@@ -37,11 +37,10 @@ impl Factor {
     }
 }
 
-/// `mantissa * 2^exponent`, a product of at most L doubles.
+/// `mantissa * 2^exponent`, a product of at most L doubles: 53 bits for each.
 #[derive(Clone, Copy)]
 struct Product<const L: usize> {
     limbs: [u64; L],
-    len: usize,
     exponent: i32,
     negative: bool,
 }
@@ -50,7 +49,7 @@ impl<const L: usize> Product<L> {
     const ONE: Self = {
         let mut limbs = [0; L];
         limbs[0] = 1;
-        Self { limbs, len: 1, exponent: 0, negative: false }
+        Self { limbs, exponent: 0, negative: false }
     };
 
     /// The product with a double, or nothing if that is zero.
@@ -59,17 +58,27 @@ impl<const L: usize> Product<L> {
         if factor.mantissa == 0 {
             return None;
         }
-        let mut limbs = [0; L];
-        let (mut carry, mut len) = (0, self.len);
-        for (slot, &a) in limbs.iter_mut().zip(&self.limbs[..len]) {
-            (*slot, carry) = a.carrying_mul_add(factor.mantissa, 0, carry);
-        }
-        if carry != 0 {
-            limbs[len] = carry; // 53 bits for each of at most L factors
-            len += 1;
+        let mut limbs = self.limbs;
+        let mut carry = 0;
+        for slot in &mut limbs {
+            (*slot, carry) = slot.carrying_mul_add(factor.mantissa, 0, carry);
         }
         let negative = self.negative != factor.negative;
-        Some(Self { limbs, len, exponent: self.exponent + factor.exponent, negative })
+        Some(Self { limbs, exponent: self.exponent + factor.exponent, negative })
+    }
+
+    /// The product with a product of two doubles; together they are one of at most L.
+    #[inline]
+    fn by(&self, other: &Product<2>) -> Self {
+        let mut limbs = [0; L];
+        for (place, &b) in other.limbs.iter().enumerate() {
+            let mut carry = 0;
+            for (slot, &a) in limbs[place..].iter_mut().zip(&self.limbs) {
+                (*slot, carry) = a.carrying_mul_add(b, *slot, carry);
+            }
+        }
+        let negative = self.negative != other.negative;
+        Self { limbs, exponent: self.exponent + other.exponent, negative }
     }
 
     fn negated_if(mut self, negate: bool) -> Self {
@@ -78,33 +87,35 @@ impl<const L: usize> Product<L> {
     }
 }
 
-/// Sums of monomials of one degree, in N limbs.
-struct Sum<const N: usize> {
+/// Sums of monomials of one degree, products of L limbs, in N limbs.
+struct Sum<const L: usize, const N: usize> {
     positive: [u64; N],
     negative: [u64; N],
     low: i32,
 }
 
-impl<const N: usize> Sum<N> {
+impl<const L: usize, const N: usize> Sum<L, N> {
     fn new(degree: usize) -> Self {
-        debug_assert!(N * 64 >= degree * 2098 + 64 + 22, "limbs for the degree");
+        debug_assert!(N * 64 >= degree * 2098 + 64 * (L + 1) + 22, "limbs for the degree");
         Self { positive: [0; N], negative: [0; N], low: exponent_min(degree) }
     }
 
-    fn add<const L: usize>(&mut self, product: &Product<L>) {
+    #[inline]
+    fn add(&mut self, product: &Product<L>) {
         let shift = product.exponent.abs_diff(self.low) as usize;
-        let (mut place, bit) = (shift / 64, shift % 64);
+        let (place, bit) = (shift / 64, shift % 64);
         let sum = if product.negative { &mut self.negative } else { &mut self.positive };
+        let (slots, higher) = sum[place..].split_at_mut(L);
         let (mut above, mut carry) = (0, false);
-        for &limb in &product.limbs[..product.len] {
-            (sum[place], carry) = sum[place].carrying_add(limb << bit | above, carry);
+        for (slot, limb) in slots.iter_mut().zip(product.limbs) {
+            (*slot, carry) = slot.carrying_add(limb << bit | above, carry);
             above = limb >> 1 >> (63 - bit);
-            place += 1;
         }
-        (sum[place], carry) = sum[place].carrying_add(above, carry);
-        while carry {
-            place += 1;
-            (sum[place], carry) = sum[place].overflowing_add(1);
+        let mut higher = higher.iter_mut();
+        while above != 0 || carry {
+            let slot = higher.next().expect("limbs for the degree");
+            (*slot, carry) = slot.carrying_add(above, carry);
+            above = 0;
         }
     }
 
@@ -118,9 +129,9 @@ impl<const N: usize> Sum<N> {
 #[inline(never)]
 pub(crate) fn orient(points: &[&[f64]], axes: &[usize]) -> Sign {
     match axes.len() {
-        0..=2 => orient_in::<2, 2, 70>(points, axes),
-        3 => orient_in::<3, 3, 104>(points, axes),
-        _ => orient_in::<AXES_MAX, POINTS_MAX, 300>(points, axes),
+        0..=2 => orient_in::<2, 2, 72>(points, axes),
+        3 => orient_in::<3, 3, 106>(points, axes),
+        _ => orient_in::<AXES_MAX, POINTS_MAX, 308>(points, axes),
     }
 }
 
@@ -128,17 +139,19 @@ fn orient_in<const K: usize, const L: usize, const N: usize>(
     points: &[&[f64]],
     axes: &[usize],
 ) -> Sign {
-    let mut sum = Sum::<N>::new(axes.len());
+    let mut sum = Sum::<L, N>::new(axes.len());
     let factors = factors::<K>(points, axes);
     // Columns from the last axis down; the row left over takes the column of ones, the first.
-    expand(&factors, axes.len(), all(points), Product::<L>::ONE, &mut sum);
+    expand(&factors, axes.len(), all(points), Product::<L>::ONE, &mut |_, product| {
+        sum.add(product)
+    });
     sum.sign()
 }
 
 /// The sign of `(b - a) x (d - c)`.
 #[inline(never)]
 pub(crate) fn cross([a, b, c, d]: [[f64; 2]; 4]) -> Sign {
-    let mut sum = Sum::<70>::new(2);
+    let mut sum = Sum::<2, 72>::new(2);
     let [a, b, c, d] = [a, b, c, d].map(|p| p.map(Factor::of));
     for (p, p_negative) in [(b, false), (a, true)] {
         for (q, q_negative) in [(d, false), (c, true)] {
@@ -157,9 +170,9 @@ pub(crate) fn cross([a, b, c, d]: [[f64; 2]; 4]) -> Sign {
 #[inline(never)]
 pub(crate) fn lifted(points: &[&[f64]], axes: &[usize], weights: Option<&[f64]>) -> Sign {
     match axes.len() {
-        0..=2 => lifted_in::<2, 4, 136>(points, axes, weights),
-        3 => lifted_in::<3, 5, 170>(points, axes, weights),
-        _ => lifted_in::<AXES_MAX, POINTS_MAX, 300>(points, axes, weights),
+        0..=2 => lifted_in::<2, 4, 140>(points, axes, weights),
+        3 => lifted_in::<3, 5, 172>(points, axes, weights),
+        _ => lifted_in::<AXES_MAX, POINTS_MAX, 308>(points, axes, weights),
     }
 }
 
@@ -168,24 +181,47 @@ fn lifted_in<const K: usize, const L: usize, const N: usize>(
     axes: &[usize],
     weights: Option<&[f64]>,
 ) -> Sign {
-    let mut sum = Sum::<N>::new(axes.len() + 2);
+    let mut sum = Sum::<L, N>::new(axes.len() + 2);
     let factors = factors::<K>(points, axes);
-    for (row, point) in points.iter().enumerate() {
-        let (left, odd) = without(all(points), row);
-        let mut expand_under = |height: Product<L>| {
-            expand(&factors, axes.len(), left, height.negated_if(odd), &mut sum);
-        };
-        for x in point.iter().map(|&x| Factor::of(x)) {
-            if let Some(square) = Product::ONE.times(x).and_then(|p| p.times(x)) {
-                expand_under(square);
+    let heights: [_; POINTS_MAX] = std::array::from_fn(|row| {
+        points.get(row).map(|point| Height::of(point, weights.map(|weights| weights[row])))
+    });
+    // Columns from the last axis down; of the two rows left over one takes the height, the other the column of ones. The
+    // heights are the last column: it passes the k axes to stand before them.
+    let turned = axes.len() % 2 == 1;
+    expand(&factors, axes.len(), all(points), Product::<L>::ONE, &mut |left, minor| {
+        let first = left.trailing_zeros() as usize;
+        let second = (left & (left - 1)).trailing_zeros() as usize;
+        for (row, negated) in [(first, !turned), (second, turned)] {
+            for term in heights[row].iter().flat_map(Height::terms) {
+                sum.add(&minor.by(term).negated_if(negated));
             }
         }
-        let weight = weights.map(|weights| Factor::of(-weights[row]));
-        if let Some(weight) = weight.and_then(|weight| Product::ONE.times(weight)) {
-            expand_under(weight);
-        }
-    }
+    });
     sum.sign()
+}
+
+/// The terms of a height, in two limbs each: squares, and a weight.
+struct Height {
+    terms: [Product<2>; AXES_MAX + 1],
+    len: usize,
+}
+
+impl Height {
+    fn of(point: &[f64], weight: Option<f64>) -> Self {
+        let mut height = Self { terms: [Product::ONE; AXES_MAX + 1], len: 0 };
+        let squares = point.iter().map(|&x| Factor::of(x)).map(|x| Product::ONE.times(x)?.times(x));
+        let weight = weight.map(|weight| Product::ONE.times(Factor::of(-weight)));
+        for term in squares.chain(weight).flatten() {
+            height.terms[height.len] = term;
+            height.len += 1;
+        }
+        height
+    }
+
+    fn terms(&self) -> &[Product<2>] {
+        &self.terms[..self.len]
+    }
 }
 
 /// The coordinates on the axes, by rows.
@@ -212,16 +248,17 @@ fn without(rows: Rows, row: usize) -> (Rows, bool) {
     (rows & !(1 << row), (rows >> row >> 1).count_ones() % 2 == 1)
 }
 
-/// Adds all monomials of the determinant of the rows left, with a column of ones before `columns` columns, times `product`.
-fn expand<const K: usize, const L: usize, const N: usize>(
+/// Calls `add` with all monomials of the determinants of `columns` of the rows left, times `product`, and with the rows that
+/// are left over: as if columns with a one in one of them stood before.
+fn expand<const K: usize, const L: usize>(
     factors: &[[Factor; K]; POINTS_MAX],
     columns: usize,
     left: Rows,
     product: Product<L>,
-    sum: &mut Sum<N>,
+    add: &mut impl FnMut(Rows, &Product<L>),
 ) {
     let Some(column) = columns.checked_sub(1) else {
-        sum.add(&product);
+        add(left, &product);
         return;
     };
     let mut rest = left;
@@ -230,6 +267,6 @@ fn expand<const K: usize, const L: usize, const N: usize>(
         rest &= rest - 1;
         let Some(product) = product.times(factors[row][column]) else { continue };
         let (left, odd) = without(left, row);
-        expand(factors, column, left, product.negated_if(odd), sum);
+        expand(factors, column, left, product.negated_if(odd), add);
     }
 }
