@@ -23,10 +23,10 @@ pub fn round_of_metric<const D: usize>(random: &mut Random, tally: &mut Tally) {
     let expected = Answers {
         dot: oracle::sign(&dot(&minus(b, a), &minus(d, c))),
         lengths: order(&square(&minus(b, a)), &square(&minus(d, c))),
-        edges: order(&square(&minus(b, a)), &square(&minus(e, c))),
+        edges: radii(&edge(a, b), &edge(c, e)),
         triangles: radii(&triangle(a, b, c), &triangle(c, d, e)),
-        mixed: radii(&triangle(a, b, c), &(square(&minus(d, e)), Integer::from(4))),
-        edge: -oracle::sign(&dot(&minus(a, e), &minus(b, e))),
+        mixed: radii(&triangle(a, b, c), &edge(d, e)),
+        edge: (a != b).then(|| -oracle::sign(&dot(&minus(a, e), &minus(b, e)))),
         triangle: in_triangle([a, b, c], e),
     };
     tally.zeros += expected.zeros();
@@ -49,15 +49,16 @@ struct Answers {
     edges: i8,
     triangles: i8,
     mixed: i8,
-    edge: i8,
+    /// Nothing of one point twice.
+    edge: Option<i8>,
     /// Nothing if the triangle is flat.
     triangle: Option<i8>,
 }
 
 impl Answers {
     fn zeros(&self) -> u64 {
-        let all = [self.dot, self.lengths, self.edges, self.triangles, self.mixed, self.edge];
-        all.into_iter().chain(self.triangle).map(|sign| u64::from(sign == 0)).sum()
+        let all = [self.dot, self.lengths, self.edges, self.triangles, self.mixed];
+        all.into_iter().chain(self.edge).chain(self.triangle).map(|sign| u64::from(sign == 0)).sum()
     }
 }
 
@@ -75,7 +76,9 @@ fn check<const D: usize>(
     judge(tally, turned(triangles), expected.triangles, points);
     let mixed = kernel.compare_radii(&[3usize, 4], &[2, 0, 1]);
     judge(tally, turned(mixed), -expected.mixed, points);
-    judge(tally, kernel.in_smallest_sphere(&[0usize, 1], 4), expected.edge, points);
+    if let Some(sign) = expected.edge {
+        judge(tally, kernel.in_smallest_sphere(&[0usize, 1], 4), sign, points);
+    }
     if let Some(sign) = expected.triangle {
         judge(tally, kernel.in_smallest_sphere(&[2usize, 0, 1], 4), sign, points);
     }
@@ -91,6 +94,12 @@ fn radii(a: &(Integer, Integer), b: &(Integer, Integer)) -> i8 {
         (false, false) => order(&Integer::from(&a.0 * &b.1), &Integer::from(&b.0 * &a.1)),
         (a, b) => i8::from(a) - i8::from(b),
     }
+}
+
+/// The squared radius of the sphere over an edge; infinite if it is one point twice.
+fn edge(a: &Vector, b: &Vector) -> (Integer, Integer) {
+    let length = square(&minus(b, a));
+    (Integer::from(&length * &length), length * 4)
 }
 
 /// The squared radius of the circle through three points: the product of the sides, squared, over 4 |u x v|^2.
