@@ -33,6 +33,7 @@
 
 mod divide;
 mod hand_over;
+mod leaves;
 mod merge;
 mod region;
 mod rings;
@@ -44,7 +45,7 @@ use delone_sites::{Ends, Swept};
 
 use divide::Run;
 pub(crate) use hand_over::hand_over;
-use region::{List, Lists, Region, Wall};
+use region::{Lists, Region};
 use rings::Rings;
 
 /// The triangulation in the making.
@@ -86,23 +87,4 @@ pub(crate) fn chew<K: PlaneKernel, P: Probe>(kernel: &K, swept: &Swept, probe: &
         work.solve(0, count);
     }
     work.rings
-}
-
-impl<K: PlaneKernel, P: Probe> Chew<'_, '_, K, P> {
-    /// The slab of one site: one region, with the halves of the segments at the site.
-    fn single(&mut self, v: u32) -> Region {
-        let [low, high] = self.bounds[v as usize];
-        let (mut left, mut right) = (List::EMPTY, List::EMPTY);
-        for h in self.rings.halves(v) {
-            if self.rings.destination(h) > v {
-                self.lists.push(&mut right, Wall::Right, h / 2);
-            } else {
-                // Counter-clockwise is from top to bottom on this side.
-                let above = std::mem::replace(&mut left, List::EMPTY);
-                self.lists.push(&mut left, Wall::Left, h / 2);
-                self.lists.append(&mut left, Wall::Left, above);
-            }
-        }
-        Region { low, high, left, right, first: v, last: v }
-    }
 }

@@ -106,6 +106,11 @@ impl<K: PlaneKernel, P: Probe> Chew<'_, '_, K, P> {
 
     /// The same for all sites of one region, two or more. To tell regions apart at every second level is enough.
     fn solve_region(&mut self, places: Range<usize>, slab: [u32; 2]) {
+        if let [a, b] = self.run.sites[places.clone()] {
+            let low = Some(self.run.low[a as usize]).filter(|&low| low != NONE);
+            let region = self.pair([a, b], low);
+            return self.regions.push(region);
+        }
         self.halve(places, slab, |work, half, slab| {
             if half.len() < 4 {
                 work.solve_run(half, slab);

@@ -42,6 +42,13 @@ impl Lists {
         self.append(list, wall, List { first: segment, last: segment });
     }
 
+    /// The same at the other end.
+    pub(super) fn push_below(&mut self, list: &mut List, wall: Wall, segment: u32) {
+        let above = std::mem::replace(list, List::EMPTY);
+        self.push(list, wall, segment);
+        self.append(list, wall, above);
+    }
+
     /// `list` and then `other`.
     pub(super) fn append(&mut self, list: &mut List, wall: Wall, other: List) {
         if list.first == NONE {
