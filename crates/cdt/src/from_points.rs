@@ -61,7 +61,7 @@ pub fn chew_from_points(
     let swept = sweep(&kernel, sites.len(), &graph.ranked());
     let meshed = swept.and_then(|swept| {
         let rings = chew::chew(&kernel, &swept, probe);
-        Some((chew::hand_over(&rings, &kernel, sites.sorted())?, swept))
+        Some((chew::hand_over(rings, &kernel, sites.sorted())?, swept))
     });
     if let Some(((mesh, constrained), swept)) = meshed {
         return Ok((graph.swept(&swept), Cdt::new(mesh, constrained)));

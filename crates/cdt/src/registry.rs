@@ -166,7 +166,7 @@ where
     let swept =
         sweep(&kernel, graph.sorted.len(), &ranked).expect("a noded graph has no crossings");
     let rings = crate::chew::chew(&kernel, &swept, probe);
-    crate::chew::hand_over(&rings, &kernel, graph.sorted)
+    crate::chew::hand_over(rings, &kernel, graph.sorted)
 }
 
 fn run(method: Method, pslg: &Pslg, options: &Options, probe: &mut impl Probe) -> Cdt {

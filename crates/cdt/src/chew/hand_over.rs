@@ -8,64 +8,100 @@ use super::rings::{Half, Rings};
 /// No facet yet.
 const NONE: u32 = u32::MAX;
 
-/// No facet before the triangles are there.
+/// Stands for the facet of a half-edge whose left is outside, until there are ghosts.
 const OUTSIDE: u32 = u32::MAX - 1;
 
 /// The mesh of the triangulation and its constrained half-edges, ranks renamed to `sorted[rank]`; `None` if there is no
 /// triangle.
 pub(crate) fn hand_over(
-    rings: &Rings,
+    mut rings: Rings,
     kernel: &impl PlaneKernel,
     sorted: &[u32],
 ) -> Option<(Mesh<2>, Vec<bool>)> {
     let name = |rank: u32| VertexId::new(sorted[rank as usize] as usize);
-    let outside = outside(rings, kernel)?;
-    let mut corners: Vec<VertexId> = Vec::with_capacity(6 * sorted.len());
-    // The facet of each half-edge.
-    let mut facets = vec![NONE; rings.len() as usize];
-    outside.iter().for_each(|&h| facets[h as usize] = OUTSIDE);
-    let alive = (0..rings.len()).filter(|&h| !rings.is_removed(h));
-    let count =
-        |corners: &[VertexId]| u32::try_from(corners.len()).expect("facets have 32-bit ids");
-    for h in alive.clone() {
-        if facets[h as usize] == NONE {
+    let outside = outside(&rings, kernel)?;
+    let hull: Vec<VertexId> = outside.iter().map(|&h| name(rings.origin(h))).collect();
+    outside.iter().for_each(|&h| rings.hand_over(h, OUTSIDE));
+    let mut cells = Cells::new(6 * sorted.len());
+    for h in 0..rings.len() {
+        if rings.is_waiting(h) {
             let second = rings.around(h);
-            let face = [h, second, rings.around(second)];
-            debug_assert_eq!(rings.around(face[2]), h, "each face but one is a triangle");
+            let third = rings.around(second);
+            debug_assert_eq!(rings.around(third), h, "each face but one is a triangle");
             // The half-edge from corner i to corner i + 1 is the facet opposite corner i + 2.
-            let first = count(&corners);
-            facets[face[0] as usize] = first + 2;
-            facets[face[1] as usize] = first;
-            facets[face[2] as usize] = first + 1;
-            corners.extend(face.map(|g| name(rings.origin(g))));
+            let corners = [h, second, third].map(|h| name(rings.origin(h)));
+            cells.add(&mut rings, corners, [second, third, h]);
         }
     }
-    if corners.is_empty() {
+    if cells.corners.is_empty() {
         return None;
     }
-    for &h in &outside {
-        facets[h as usize] = count(&corners) + 2;
-        corners.extend([name(rings.origin(h)), name(rings.destination(h)), VertexId::GHOST]);
-    }
-    let (mut twins, mut constrained) = (vec![NONE; corners.len()], vec![false; corners.len()]);
-    let mut glue = |f: u32, g: u32| {
-        twins[f as usize] = g;
-        twins[g as usize] = f;
-    };
-    for &h in &outside {
-        // The ghosts of u to v and of v to w meet in the edge from v to the ghost.
-        glue(facets[h as usize] - 2, facets[rings.around(h) as usize] - 1);
-    }
-    for h in alive.step_by(2) {
-        let [f, g] = [h, h ^ 1].map(|h| facets[h as usize]);
-        glue(f, g);
-        if rings.is_segment(h) {
-            constrained[f as usize] = true;
-            constrained[g as usize] = true;
+    Some(cells.closed(&mut rings, &outside, &hull))
+}
+
+/// The mesh's arrays in the making.
+struct Cells {
+    corners: Vec<VertexId>,
+    twins: Vec<u32>,
+    constrained: Vec<bool>,
+}
+
+impl Cells {
+    fn new(facets: usize) -> Self {
+        Self {
+            corners: Vec::with_capacity(facets),
+            twins: Vec::with_capacity(facets),
+            constrained: Vec::with_capacity(facets),
         }
     }
-    let twins = twins.into_iter().map(|facet| FacetId::from_index(facet as usize)).collect();
-    Some((Mesh::from_parts(2, corners, twins), constrained))
+
+    /// The facet that comes next.
+    fn coming(&self) -> u32 {
+        u32::try_from(self.twins.len()).expect("facets have 32-bit ids")
+    }
+
+    /// A triangle, and the half-edges opposite its corners.
+    #[inline]
+    fn add(&mut self, rings: &mut Rings, corners: [VertexId; 3], halves: [Half; 3]) {
+        self.corners.extend(corners);
+        halves.into_iter().for_each(|h| self.glue(rings, h));
+    }
+
+    /// The facet of a half-edge, glued to its other half's if there is one.
+    #[inline]
+    fn glue(&mut self, rings: &mut Rings, h: Half) {
+        let facet = self.coming();
+        let twin = rings.facet(h ^ 1).filter(|&twin| twin != OUTSIDE);
+        if let Some(twin) = twin {
+            self.twins[twin as usize] = facet;
+        }
+        self.twins.push(twin.unwrap_or(NONE));
+        self.constrained.push(rings.is_segment(h));
+        rings.hand_over(h, facet);
+    }
+
+    /// With the ghosts around the outside, whose half-edges start at `hull`.
+    fn closed(
+        mut self,
+        rings: &mut Rings,
+        outside: &[Half],
+        hull: &[VertexId],
+    ) -> (Mesh<2>, Vec<bool>) {
+        let first = self.coming();
+        for (i, &h) in outside.iter().enumerate() {
+            self.corners.extend([hull[i], hull[(i + 1) % hull.len()], VertexId::GHOST]);
+            // Opposite u and v, on to the next ghost and back to the last one.
+            let at = self.coming();
+            self.twins.extend([at + 4, at.wrapping_sub(3)]);
+            self.constrained.extend([false; 2]);
+            self.glue(rings, h);
+        }
+        let last = self.coming() - 3;
+        self.twins[last as usize] = first + 1;
+        self.twins[first as usize + 1] = last;
+        let twins = self.twins.into_iter().map(|facet| FacetId::from_index(facet as usize));
+        (Mesh::from_parts(2, self.corners, twins.collect()), self.constrained)
+    }
 }
 
 /// The half-edges around the outer face: all edges of the first site go to one side, and the face is on the other.

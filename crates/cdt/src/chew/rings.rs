@@ -115,8 +115,25 @@ impl Rings {
         u32::try_from(self.halves.len()).expect("half-edges have 32-bit ids")
     }
 
-    pub(super) fn is_removed(&self, h: Half) -> bool {
-        self.next(h) == NONE
+    /// Whether it is there and has not been handed over.
+    #[inline]
+    pub(super) fn is_waiting(&self, h: Half) -> bool {
+        let Record { origin, next, .. } = self.halves[h as usize];
+        origin != NONE && next != NONE
+    }
+
+    /// Puts a facet in place of a half-edge's origin and ring. Faces can still be walked round.
+    #[inline]
+    pub(super) fn hand_over(&mut self, h: Half, facet: u32) {
+        let half = &mut self.halves[h as usize];
+        (half.origin, half.next) = (NONE, facet);
+    }
+
+    /// The facet of a half-edge that was handed over.
+    #[inline]
+    pub(super) fn facet(&self, h: Half) -> Option<u32> {
+        let Record { origin, next, .. } = self.halves[h as usize];
+        (origin == NONE).then_some(next)
     }
 
     /// A new edge from `l` to `r`; its halves come after `at_l` and `at_r` in the rings, or are alone in them.
