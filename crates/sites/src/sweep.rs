@@ -203,11 +203,13 @@ impl<'k, K: Kernel<2>> Sweep<'k, K> {
         }
     }
 
-    /// Whether two pieces, or what their members go on as, cross.
+    /// Whether two pieces, or what their members go on as, cross; the first is below the second.
     fn cross(&self, e: Option<u32>, f: Option<u32>) -> bool {
         let (Some(e), Some(f)) = (e, f) else { return false };
         let [[a, b], [c, d]] = [e, f].map(|piece| self.swept.pieces[piece as usize]);
-        if a == c || b == d {
+        let is_lower =
+            |e: u32, f: u32| self.kernel.compare(1, e as usize, f as usize) == Ordering::Less;
+        if a == c || b == d || [a, b].iter().all(|&e| is_lower(e, c) && is_lower(e, d)) {
             return false;
         }
         let side = |a, b, v| orient(self.kernel, a, b, v);
