@@ -205,6 +205,8 @@ pub(crate) enum Crossings {
     Reject,
     /// Make each crossing a vertex, exactly
     Split,
+    /// Make each crossing a vertex at the nearest doubles, and cut again what crosses then
+    Snap,
 }
 
 /// How to run an algorithm.

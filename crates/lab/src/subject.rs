@@ -1,7 +1,7 @@
 //! A validated input: what an algorithm is run on, and in what terms its result is told.
 
 use delone_formats::Document;
-use delone_sites::{Arrangement, Noded, Pslg, PslgError, Sites, WeightedSites};
+use delone_sites::{Arrangement, Noded, Pslg, PslgError, Sites, Snapped, WeightedSites};
 use delone_workloads::{Input, Points};
 
 use crate::failure::Failure;
@@ -90,14 +90,27 @@ impl Subject {
         Self::noded(document, Arrangement::new, |graph| Body::Crossed(Box::new(graph)))
     }
 
+    /// Takes points and segments of the plane that may cross, and cuts them at doubles: the document is then that of the pieces.
+    pub(crate) fn snapped(mut document: Document) -> Result<Self, Failure> {
+        let (points, segments) = lists(&document)?;
+        let snapped = Snapped::new(&points, &segments, SNAPPING_ROUNDS)
+            .map_err(|error| refusal(&document, &error.to_string()))?;
+        if !snapped.is_settled {
+            return Err(Failure::Limit(format!(
+                "{}: rounded crossings still made new ones after {SNAPPING_ROUNDS} rounds",
+                document.name
+            )));
+        }
+        take_pieces(&mut document, &snapped);
+        Self::graph(document)
+    }
+
     fn noded<G>(
         document: Document,
         make: impl FnOnce(&[[f64; 2]], &[[usize; 2]]) -> Result<G, PslgError>,
         body: impl FnOnce(G) -> Body,
     ) -> Result<Self, Failure> {
-        let points = document.points_2d().map_err(Failure::input)?;
-        let segments: Vec<[usize; 2]> =
-            document.segments.iter().map(|ends| ends.map(|end| end as usize)).collect();
+        let (points, segments) = lists(&document)?;
         let graph = make(&points, &segments);
         let graph = graph.map_err(|error| refusal(&document, &error.to_string()))?;
         Ok(Self { body: body(graph), document })
@@ -150,6 +163,43 @@ impl Subject {
             Body::Graph(pslg) => pslg.names(),
             Body::Crossed(graph) => graph.names(),
         }
+    }
+}
+
+/// Points and segments of the plane.
+type Lists = (Vec<[f64; 2]>, Vec<[usize; 2]>);
+
+fn lists(document: &Document) -> Result<Lists, Failure> {
+    let points = document.points_2d().map_err(Failure::input)?;
+    Ok((points, document.segments.iter().map(|ends| ends.map(|end| end as usize)).collect()))
+}
+
+/// Rounds of cutting and rounding before giving up.
+const SNAPPING_ROUNDS: usize = 100;
+
+/// Puts snapped pieces in place of the segments; they keep the markers of these.
+fn take_pieces(document: &mut Document, snapped: &Snapped) {
+    let before = document.points.len() / 2;
+    let added = snapped.points.len() - before;
+    if added > 0 {
+        let (rounds, s) = (snapped.rounds, if snapped.rounds == 1 { "" } else { "s" });
+        document.notes.push(format!("{added} vertices at crossings, rounded in {rounds} round{s}"));
+    }
+    document.points.extend(snapped.points[before..].as_flattened());
+    let attributes = document.attributes.len() + added * document.attributes_per_point;
+    document.attributes.resize(attributes, 0.0);
+    if !document.point_markers.is_empty() {
+        document.point_markers.resize(before + added, 0);
+    }
+    if let Some(weights) = &mut document.weights {
+        weights.resize(before + added, 0.0);
+    }
+    let id = |end: usize| u32::try_from(end).expect("points have 32-bit ids");
+    document.segments = snapped.segments.iter().map(|ends| ends.map(id)).collect();
+    if !document.segment_markers.is_empty() {
+        let markers = &document.segment_markers;
+        let marker = |&origin: &u32| markers[origin as usize];
+        document.segment_markers = snapped.origins.iter().map(marker).collect();
     }
 }
 

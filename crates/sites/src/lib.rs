@@ -20,6 +20,7 @@
 //! | points with weights | [`WeightedSites`] | O(n log n) |
 //! | points and segments in the plane | [`Pslg`] | O(n log n), see its page |
 //! | segments that cross | [`Arrangement`] | the same, for n with the crossings |
+//! | the same, with vertices that are doubles | [`Snapped`] | some times that |
 //! | sites to insert one by one | [`Sites::brio_order`] | O(n log n) |
 //!
 //! # Contract
@@ -36,6 +37,7 @@ mod noded;
 mod order;
 mod pslg;
 mod sites;
+mod snapped;
 mod strips;
 mod sweep;
 mod weighted;
@@ -46,6 +48,7 @@ pub use noded::Noded;
 pub use order::{Curve, scatter, sortable};
 pub use pslg::{Coverage, Crossing, Piece, Pslg, PslgError, PslgFault, Unnoded};
 pub use sites::{NotFinite, Sites, SitesError};
+pub use snapped::Snapped;
 pub use sweep::{Ends, Swept, compare_along, sweep};
 pub use weighted::{WeightedSites, WeightsError};
 

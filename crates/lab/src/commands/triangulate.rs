@@ -45,6 +45,7 @@ pub(crate) fn cdt(arguments: &cli::Cdt) -> Result<(), Failure> {
     let document = input::read(&arguments.source.input, arguments.source.format.as_deref())?;
     let subject = match arguments.crossings {
         cli::Crossings::Split => Subject::crossed(document)?,
+        cli::Crossings::Snap => Subject::snapped(document)?,
         cli::Crossings::Reject if arguments.strict => Subject::strict(document)?,
         cli::Crossings::Reject => Subject::graph(document)?,
     };

@@ -25,6 +25,7 @@ pub(crate) fn triangulate2d(arguments: &cli::Triangulate2d) -> Result<(), Failur
     let document = input::read(&arguments.source.input, arguments.source.format.as_deref())?;
     let subject = match arguments.crossings {
         cli::Crossings::Split => Subject::crossed(document)?,
+        cli::Crossings::Snap => Subject::snapped(document)?,
         cli::Crossings::Reject => Subject::graph(document)?,
     };
     let name = engine::choose(&subject, None)?;
