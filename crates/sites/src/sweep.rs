@@ -99,6 +99,8 @@ struct Sweep<'k, K> {
     swept: Swept,
     /// The first member of each piece.
     first: Vec<u32>,
+    /// For each vertex a piece that is to end there, if it is still alive.
+    ending: Vec<u32>,
     /// For each segment the next member of its piece.
     next: Vec<u32>,
     /// Segments by smaller end: those of vertex v begin at place `starts[v]`.
@@ -121,7 +123,20 @@ impl<'k, K: Kernel<2>> Sweep<'k, K> {
         };
         let (first, next) = (Vec::with_capacity(segments.len()), vec![NONE; segments.len()]);
         let (alive, beginning, ended) = (Line::default(), Vec::new(), Vec::new());
-        Self { kernel, segments, alive, swept, first, next, begins, starts, beginning, ended }
+        let ending = vec![NONE; count];
+        Self {
+            kernel,
+            segments,
+            alive,
+            swept,
+            first,
+            ending,
+            next,
+            begins,
+            starts,
+            beginning,
+            ended,
+        }
     }
 
     fn piece_count(&self) -> u32 {
@@ -136,8 +151,18 @@ impl<'k, K: Kernel<2>> Sweep<'k, K> {
             let [a, b] = pieces[piece as usize];
             if b == vertex { Sign::Zero } else { orient(self.kernel, a, b, vertex) }
         };
-        let mut place = self.alive.search(|piece| side(piece) == Sign::Positive);
         // Those that end here lie side by side: the order is total. (Inv 1)
+        let known = self.alive.find(self.ending[vertex as usize]).map(|mut place| {
+            let is_here = |piece: u32| side(piece) == Sign::Zero;
+            while let Some(before) = self.alive.previous(place)
+                && self.alive.at(before).is_some_and(is_here)
+            {
+                place = before;
+            }
+            place
+        });
+        let mut place =
+            known.unwrap_or_else(|| self.alive.search(|piece| side(piece) == Sign::Positive));
         let mut ended = std::mem::take(&mut self.ended);
         ended.clear();
         while let Some(piece) = self.alive.at(place).filter(|&piece| side(piece) == Sign::Zero) {
@@ -195,6 +220,8 @@ impl<'k, K: Kernel<2>> Sweep<'k, K> {
             Sign::Negative => Ordering::Greater,
         });
         for piece in self.beginning.chunk_by(|&e, &f| turn(e, f) == Sign::Zero) {
+            self.ending[to(piece[0]) as usize] =
+                u32::try_from(self.swept.pieces.len()).expect("counted before");
             self.swept.pieces.push([vertex, to(piece[0])]);
             self.first.push(piece[0]);
             for (place, &member) in piece.iter().enumerate() {

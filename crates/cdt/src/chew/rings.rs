@@ -137,33 +137,29 @@ impl Rings {
     }
 
     /// A new edge from `l` to `r`; its halves come after `at_l` and `at_r` in the rings, or are alone in them.
+    #[inline]
     pub(super) fn join(&mut self, l: u32, r: u32, at_l: Option<Half>, at_r: Option<Half>) -> Half {
         let h = self.free.pop().unwrap_or_else(|| {
             let h = self.len();
             self.halves.extend([EMPTY; 2]);
             h
         });
-        self.halves[h as usize].origin = l;
-        self.halves[(h ^ 1) as usize].origin = r;
-        self.insert(h, at_l);
-        self.insert(h ^ 1, at_r);
+        self.insert(h, l, at_l);
+        self.insert(h ^ 1, r, at_r);
         h
     }
 
-    fn insert(&mut self, h: Half, at: Option<Half>) {
-        let (before, after) = match at {
-            Some(at) => (at, self.next(at)),
-            None => {
-                let v = self.origin(h);
-                self.start[v as usize] = h;
-                (h, h)
-            }
+    #[inline]
+    fn insert(&mut self, h: Half, origin: u32, at: Option<Half>) {
+        let Some(before) = at else {
+            self.start[origin as usize] = h;
+            self.halves[h as usize] = Record { origin, next: h, previous: h };
+            return;
         };
-        if before == h {
-            return self.link(h, h);
-        }
-        self.link(before, h);
-        self.link(h, after);
+        let place = &mut self.halves[before as usize].next;
+        let after = std::mem::replace(place, h);
+        self.halves[after as usize].previous = h;
+        self.halves[h as usize] = Record { origin, next: after, previous: before };
     }
 
     /// Makes `after` come after `before` in the ring of both.
@@ -176,14 +172,14 @@ impl Rings {
     /// Removes an edge that is no segment.
     pub(super) fn remove(&mut self, h: Half) {
         for h in [h, h ^ 1] {
-            let (before, after) = (self.previous(h), self.next(h));
-            self.link(before, after);
-            let site = self.origin(h);
-            let start = &mut self.start[site as usize];
+            let Record { origin, next: after, previous: before } = self.halves[h as usize];
+            self.halves[after as usize].previous = before;
+            self.halves[before as usize].next = after;
+            self.halves[h as usize].next = NONE;
+            let start = &mut self.start[origin as usize];
             if *start == h {
                 *start = if after == h { NONE } else { after };
             }
-            self.halves[h as usize].next = NONE;
         }
         self.free.push(h & !1);
     }

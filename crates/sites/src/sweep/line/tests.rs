@@ -6,7 +6,7 @@ use crate::scatter;
 fn the_line_is_a_sorted_list() {
     let (mut line, mut model) = (Line::default(), Vec::<u32>::new());
     for step in 0..40_000u64 {
-        let value = u32::try_from(scatter(step) >> 33).unwrap();
+        let value = u32::try_from(scatter(step) % 30_000).unwrap();
         let place = line.search(|other| other < value);
         let index = model.partition_point(|&other| other < value);
         let before = index.checked_sub(1).map(|before| model[before]);
@@ -16,12 +16,15 @@ fn the_line_is_a_sorted_list() {
             model.insert(index, value);
             let put = line.insert(place, value);
             assert_eq!(line.around(put), [before, Some(value)]);
+            let found = line.find(value).map(|place| line.around(place));
+            assert_eq!(found, Some([before, Some(value)]));
         } else if !grows && !model.is_empty() {
             let place = if index < model.len() { place } else { line.search(|_| false) };
             let index = if index < model.len() { index } else { 0 };
-            model.remove(index);
+            let gone = model.remove(index);
             let after = line.remove(place);
             assert_eq!(line.at(after), model.get(index).copied());
+            assert!(line.find(gone).is_none());
         }
     }
     assert!(model.is_empty() && line.chunks.is_empty());
