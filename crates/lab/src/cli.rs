@@ -177,6 +177,9 @@ pub(crate) struct Triangulate2d {
     /// Number vertices and triangles in the drawing
     #[arg(long)]
     pub(crate) numbered: bool,
+    /// Write a numbered drawing of each step to this folder: the soup, its CDT, edges by their sides, regions, the inside
+    #[arg(long, value_name = "FOLDER")]
+    pub(crate) explain: Option<PathBuf>,
     #[command(flatten)]
     pub(crate) voice: Voice,
 }

@@ -1,5 +1,7 @@
 //! `delone triangulate2d`: a soup of boundary edges, holes unknown, to triangles inside, as `(V, [EV, FV])`.
 
+mod explain;
+
 use std::path::Path;
 
 use delone_cdt::{Domain, Interior};
@@ -43,6 +45,9 @@ pub(crate) fn triangulate2d(arguments: &cli::Triangulate2d) -> Result<(), Failur
     }
     if let Some(path) = &arguments.svg {
         output::text(path, &soup.svg(arguments.numbered))?;
+    }
+    if let (Some(folder), Triangulation::Constrained(cdt)) = (&arguments.explain, &triangulation) {
+        explain::explain(&soup, cdt, folder)?;
     }
     let object = soup.json(&triangulation, arguments.fill);
     if arguments.voice.json {
