@@ -142,6 +142,7 @@ pub(super) fn verdict(
             let names = names.map_err(|failure| wrong(failure.to_string()))?;
             judged(&case, &named(output.tets.as_flattened(), &names), &Options::foreign())
         }
+        Input::File(_) => unreachable!("a document has points"),
     };
     outcome.map_err(|broken| wrong(format!("{}: {}", broken.place, broken.message)))
 }
