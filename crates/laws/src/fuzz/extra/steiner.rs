@@ -16,7 +16,7 @@ use crate::judge::solid_cells;
 use crate::laws::Law;
 
 /// Few enough to be quick; gaps of one unit in the last place would take any number.
-const LIMITS: Limits = Limits { vertices_max: 120 };
+const LIMITS: Limits = Limits { vertices_max: 40 };
 
 /// Every method's result is what it promises.
 pub(in crate::fuzz) fn of_conforming() -> Vec<Law<2>> {
