@@ -51,6 +51,7 @@ mod json;
 mod jts_xml;
 mod lar;
 mod lists;
+mod npy;
 mod obj;
 mod off;
 mod ply;

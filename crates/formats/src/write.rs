@@ -8,7 +8,7 @@ use std::path::Path;
 use crate::document::Document;
 use crate::format::Format;
 use crate::xyz::Keeps;
-use crate::{geojson, lar, obj, off, triangle, wkt, xyz};
+use crate::{geojson, lar, npy, obj, off, triangle, wkt, xyz};
 
 /// Why a document could not be written.
 #[derive(Debug)]
@@ -112,6 +112,10 @@ pub fn write(
         Format::Obj => {
             obj::lost(document, &mut lost);
             obj::write(document, out)?;
+        }
+        Format::Npy => {
+            npy::lost(document, &mut lost);
+            npy::write(document, out)?;
         }
         _ => return Err(WriteError::ReadOnly(format)),
     }

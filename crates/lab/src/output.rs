@@ -13,7 +13,7 @@ pub(crate) fn format_to_write(path: &Path) -> Result<Format, Failure> {
     let format = Format::from_path(&path.to_string_lossy()).filter(|format| format.is_written());
     format.ok_or_else(|| {
         Failure::input(format!(
-            "{}: the ending names no format that is written: .node .poly .ele .edge .neigh .csv .xyz .lar.json .off .obj \
+            "{}: the ending names no format that is written: .node .poly .ele .edge .neigh .csv .xyz .lar.json .off .obj .npy \
              .geojson .wkt",
             path.display()
         ))

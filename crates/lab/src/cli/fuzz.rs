@@ -44,8 +44,11 @@ pub(crate) struct Fuzz {
     #[arg(long, value_name = "N", requires = "state", conflicts_with = "shard")]
     pub(crate) shards: Option<u64>,
     /// Merge the shards in this folder instead of running any
-    #[arg(long, value_name = "FOLDER", conflicts_with_all = ["cases", "seconds", "shard", "shards", "state", "program"])]
+    #[arg(long, value_name = "FOLDER", conflicts_with_all = ["cases", "seconds", "shard", "shards", "state"])]
     pub(crate) merge: Option<PathBuf>,
+    /// Let cases take points and segments of the files in this folder
+    #[arg(long, value_name = "FOLDER")]
+    pub(crate) corpus: Option<PathBuf>,
     /// Write failing inputs, made small, to this folder
     #[arg(short, long, value_name = "FOLDER", default_value = "delone-failures")]
     pub(crate) output: PathBuf,

@@ -7,8 +7,10 @@ pub(crate) mod program;
 mod shards;
 mod state;
 
+use std::sync::Arc;
 use std::time::Duration;
 
+use delone_laws::corpus::Corpus;
 use delone_laws::fuzz::{Broken, Shard, Subject, Tally, Target, target, targets};
 use serde_json::{Value, json};
 
@@ -38,10 +40,10 @@ pub(crate) fn fuzz(arguments: &cli::Fuzz) -> Result<(), Failure> {
     let canary =
         if arguments.merge.is_none() { Some(campaign::canary(arguments.seed)?) } else { None };
     let seen = if let Some(folder) = &arguments.merge {
-        merged(folder, &targets, None)?
+        merged(folder, &targets, arguments, None)?
     } else if let (Some(count), Some(folder)) = (arguments.shards, &arguments.state) {
         shards::run(arguments, &targets, count)?;
-        merged(folder, &targets, Some(arguments.seed))?
+        merged(folder, &targets, arguments, Some(arguments.seed))?
     } else {
         run(arguments, &targets, &mut program)?
     };
@@ -64,12 +66,16 @@ pub(crate) fn fuzz(arguments: &cli::Fuzz) -> Result<(), Failure> {
     if failed { Err(Failure::Difference(None)) } else { Ok(()) }
 }
 
-/// What a target is called in tallies: with a program, a campaign of its own.
+/// What a target is called in tallies: with a program, or a corpus, a campaign of its own.
 fn label(target: &Target, arguments: &cli::Fuzz) -> String {
-    match &arguments.program.program {
-        Some(program) => format!("{} {program}", target.name),
-        None => target.name.to_owned(),
+    let mut label = target.name.to_owned();
+    if let Some(program) = &arguments.program.program {
+        label.push_str(&format!(" {program}"));
     }
+    if !target.corpus().is_empty() {
+        label.push_str(&format!(" with corpus {:016x}", target.corpus().digest()));
+    }
+    label
 }
 
 /// The targets asked for, or all but the canary; with a program, those whose answer is cells.
@@ -78,7 +84,12 @@ fn chosen(arguments: &cli::Fuzz) -> Result<Vec<Target>, Failure> {
     let fits = |target: &Target| {
         if arguments.program.program.is_some() { judged.contains(&target.name) } else { true }
     };
-    let known: Vec<Target> = targets().into_iter().filter(|target| fits(target)).collect();
+    let corpus = Arc::new(match &arguments.corpus {
+        Some(folder) => files::corpus(folder, arguments.voice.quiet)?,
+        None => Corpus::default(),
+    });
+    let known = targets().into_iter().filter(|target| fits(target));
+    let known: Vec<Target> = known.map(|target| target.with_corpus(corpus.clone())).collect();
     if arguments.targets.is_empty() {
         if arguments.program.program.is_some() {
             return Err(Failure::input(format!(
@@ -140,12 +151,13 @@ fn run(
 fn merged(
     folder: &std::path::Path,
     targets: &[Target],
+    arguments: &cli::Fuzz,
     seed: Option<u64>,
 ) -> Result<Vec<Timed>, Failure> {
     let mut all = Vec::new();
     for shards in state::load_all(folder)? {
         let wanted = |Timed { tally, .. }: &Timed| {
-            targets.iter().any(|target| tally.target.split(' ').next() == Some(target.name))
+            targets.iter().any(|target| label(target, arguments) == tally.target)
                 && seed.is_none_or(|seed| tally.seed == seed)
         };
         if shards.iter().all(wanted) {
@@ -157,6 +169,10 @@ fn merged(
             })?;
             all.push(Timed { tally, seconds });
         }
+    }
+    if all.is_empty() {
+        let folder = folder.display();
+        return Err(Failure::input(format!("{folder}: no shard is of such a campaign")));
     }
     Ok(all)
 }
@@ -218,8 +234,7 @@ fn tell(arguments: &cli::Fuzz, canary: Option<u64>, seen: &[Timed], kept: &[Kept
             tally.digest
         );
     }
-    let program = arguments.program.program.as_deref();
-    kept.iter().for_each(|kept| print!("{}", kept.text(program)));
+    kept.iter().for_each(|kept| print!("{}", kept.text(arguments)));
 }
 
 /// Cases a second, of all shards together; of those run now and before alike if a campaign was resumed.

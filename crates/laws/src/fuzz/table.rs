@@ -1,5 +1,7 @@
 //! The table of targets.
 
+use std::sync::Arc;
+
 use super::extra;
 use super::target::{CANARY, Kind, Target};
 use crate::generate;
@@ -20,7 +22,7 @@ pub fn targets() -> Vec<Target> {
 }
 
 fn row(name: &'static str, about: &'static str, kind: Kind) -> Target {
-    Target { name, about, kind }
+    Target { name, about, kind, corpus: Arc::default() }
 }
 
 fn plane(laws: Vec<Law<2>>) -> Kind {

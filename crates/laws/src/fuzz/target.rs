@@ -1,12 +1,15 @@
 //! What can be fuzzed: a generator, and the laws to try.
 
+use std::sync::Arc;
+
 use delone::workloads::{self, Points, Rng};
 
 use super::attempt::{Broken, attempt};
 use super::file::File;
 use super::hash::Hash;
 use crate::case::Case;
-use crate::choices::Choices;
+use crate::choices::{Beside, Choices};
+use crate::corpus::Corpus;
 use crate::laws::Law;
 use crate::shrink::{Effort, shrink};
 
@@ -88,6 +91,8 @@ pub struct Target {
     /// What it tries, in a line.
     pub about: &'static str,
     pub(super) kind: Kind,
+    /// What cases may take pieces of.
+    pub(super) corpus: Arc<Corpus>,
 }
 
 #[derive(Clone, Debug)]
@@ -112,8 +117,21 @@ impl Target {
     #[must_use]
     pub fn case(&self, seed: u64, k: u64) -> Input {
         // Both numbers through the generator: seeds 1 and 2 share no case, nor do targets.
-        let mixed = Rng::named(self.name, seed).next_u64();
-        self.chosen(&mut Rng::new(mixed.wrapping_add(Rng::new(k).next_u64())))
+        let mixed = Rng::named(self.name, seed).next_u64() ^ self.corpus.digest();
+        let rng = Rng::new(mixed.wrapping_add(Rng::new(k).next_u64()));
+        self.chosen(&mut Beside { rng, corpus: &self.corpus })
+    }
+
+    /// The same target, whose cases take pieces of a corpus: other cases, by its digest.
+    #[must_use]
+    pub fn with_corpus(self, corpus: Arc<Corpus>) -> Self {
+        Self { corpus, ..self }
+    }
+
+    /// What its cases take pieces of.
+    #[must_use]
+    pub fn corpus(&self) -> &Corpus {
+        &self.corpus
     }
 
     /// The names of its laws, in the order they are tried.

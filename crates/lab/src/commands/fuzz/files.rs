@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use delone_formats::{Document, Format, write};
 use delone_laws::case::Case;
+use delone_laws::corpus::{Corpus, Piece};
 use delone_laws::fuzz::{Broken, File, Input};
 use delone_laws::generate::NAME;
 
@@ -88,6 +89,35 @@ pub(crate) fn read(path: &Path, target: Option<&str>) -> Result<Input, Failure> 
 
 /// The target whose inputs are files.
 pub(crate) const READERS: &str = "readers";
+
+/// The inputs of a folder's files, in the order of their names. What is no input is left out, and said to be.
+pub(crate) fn corpus(folder: &Path, quiet: bool) -> Result<Corpus, Failure> {
+    let entries = std::fs::read_dir(folder)
+        .map_err(|error| Failure::input(format!("{}: {error}", folder.display())))?;
+    let mut paths: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).collect();
+    paths.retain(|path| path.is_file());
+    paths.sort();
+    let (mut pieces, mut left_out) = (Vec::new(), 0);
+    for path in &paths {
+        let documents = delone_formats::read_all(path).unwrap_or_default();
+        let before = pieces.len();
+        pieces.extend(documents.into_iter().filter_map(piece));
+        left_out += usize::from(pieces.len() == before);
+    }
+    if pieces.is_empty() {
+        return Err(Failure::input(format!("{}: no file with finite points", folder.display())));
+    }
+    if left_out > 0 && !quiet {
+        eprintln!("{}: {left_out} files hold no finite points", folder.display());
+    }
+    Ok(Corpus::new(pieces))
+}
+
+fn piece(document: Document) -> Option<Piece> {
+    let Document { dimension, points, segments, .. } = document;
+    let sound = !points.is_empty() && points.iter().all(|x| x.is_finite());
+    sound.then_some(Piece { dimension, points, segments })
+}
 
 /// Refuses, before any work is done, a folder that could not be made.
 pub(crate) fn check_folder(folder: &Path) -> Result<(), Failure> {

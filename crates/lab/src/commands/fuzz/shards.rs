@@ -53,6 +53,9 @@ fn at_once(
         command.arg("--seed").arg(arguments.seed.to_string());
         let state = arguments.state.as_deref().expect("the command line demands it");
         command.arg("--state").arg(state).arg("--output").arg(&arguments.output);
+        if let Some(folder) = &arguments.corpus {
+            command.arg("--corpus").arg(folder);
+        }
         pass_on(&mut command, &arguments.program);
         command.stdin(Stdio::null()).stdout(Stdio::null());
         children.push((part, command.spawn().map_err(Failure::input)?));

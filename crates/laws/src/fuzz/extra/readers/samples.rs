@@ -85,9 +85,17 @@ pub(super) const SAMPLES: [(Format, &str); 35] = [
     (Format::Manifold, "One 1 -1.0 1\n3\n0 0\n1 0\n0 1\nTwo 1 5e-6 0\n"),
 ];
 
-/// A binary STL or PLY file of one triangle.
+/// A binary STL or PLY file of one triangle, or its corners as a table of NumPy's.
 pub(super) fn binary(choices: &mut dyn Choices) -> (Format, Vec<u8>) {
     let corners: [f32; 9] = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.5];
+    if choices.one_in(3) {
+        let mut bytes = b"\x93NUMPY\x01\x00".to_vec();
+        let header = "{'descr': '<f8', 'fortran_order': False, 'shape': (3, 3), }\n";
+        bytes.extend(u16::try_from(header.len()).expect("short").to_le_bytes());
+        bytes.extend(header.bytes());
+        bytes.extend(corners.iter().flat_map(|&x| f64::from(x).to_le_bytes()));
+        return (Format::Npy, bytes);
+    }
     if choices.one_in(2) {
         let mut bytes = vec![0; 80];
         bytes.extend(1_u32.to_le_bytes());
