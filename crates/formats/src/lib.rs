@@ -76,4 +76,4 @@ pub use document::{Document, Region};
 pub use error::{Place, ReadError};
 pub use format::Format;
 pub use read::{Source, one, read, read_all, read_bytes, read_path};
-pub use write::{WriteError, write, write_atomically};
+pub use write::{WriteError, unfinished, write, write_atomically};

@@ -14,7 +14,10 @@ fn cases_take_points_and_segments_of_files() {
     let corpus = Arc::new(Corpus::new(vec![square(777.25), square(-3e100)]));
     let with = target.clone().with_corpus(corpus);
     let cases: Vec<Input> = (0..200).map(|k| with.case(1, k)).collect();
-    assert!((0..200).zip(&cases).all(|(k, case)| with.case(1, k) == *case), "case k is a function of k");
+    assert!(
+        (0..200).zip(&cases).all(|(k, case)| with.case(1, k) == *case),
+        "case k is a function of k"
+    );
     let has = |x: f64| {
         let holds = |input: &&Input| match input {
             Input::Plane(case) => case.points.as_flattened().contains(&x),

@@ -94,7 +94,11 @@ pub(super) const ROWS: [Workload; 39] = [
         worst::column,
         "high and narrow, x in random order: merges of halves left and right zip from end to end",
     ),
-    plane("beach", worst::beach, "a row, then sites above it: a sweep has n/2 arcs on its beach line"),
+    plane(
+        "beach",
+        worst::beach,
+        "a row, then sites above it: a sweep has n/2 arcs on its beach line",
+    ),
     plane("wheel", worst::wheel, "a hub among cocircular sites: a vertex of degree n - 1")
         .rounding("n, at most 236,197"),
 ];

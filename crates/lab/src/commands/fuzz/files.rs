@@ -1,6 +1,5 @@
 //! Inputs as files, and back.
 
-use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use delone_formats::{Document, Format, write};
@@ -59,8 +58,7 @@ pub(crate) fn keep(path: &Path, input: &Input, broken: &Broken) -> Result<(), Fa
         Input::File(file) => file.bytes.clone(),
         _ => with_header(input, broken)?,
     };
-    delone_formats::write_atomically(path, |out| out.write_all(&bytes))
-        .map_err(|error: std::io::Error| Failure::input(format!("{}: {error}", path.display())))
+    output::bytes(path, &bytes)
 }
 
 fn with_header(input: &Input, broken: &Broken) -> Result<Vec<u8>, Failure> {
