@@ -19,6 +19,7 @@ use serde_json::json;
 
 use crate::cli;
 use crate::failure::Failure;
+use crate::progress::Busy;
 use crate::result::{describe, grouped};
 use crate::subject::{Body, Subject};
 use crate::{input, output};
@@ -27,6 +28,7 @@ use recording::{Notes, Recording};
 
 pub(crate) fn replay(arguments: &cli::Replay) -> Result<(), Failure> {
     output::check_paths([arguments.html.as_path()])?;
+    let busy = Busy::new(arguments.voice.quiet, "recording");
     let document = input::read(&arguments.source.input, arguments.source.format.as_deref())?;
     if document.dimension != 2 {
         return Err(Failure::input("only inputs in the plane are replayed"));
@@ -50,11 +52,12 @@ pub(crate) fn replay(arguments: &cli::Replay) -> Result<(), Failure> {
         cli::Shown::Sweep => inside::sweep(sites),
         cli::Shown::Chew => inside::chew(sites, pslg),
     };
-    if arguments.algorithm != cli::Shown::Chew && arguments.algorithm != cli::Shown::Insertion {
-        no_segments(&subject, arguments.voice.quiet);
-    }
     let (steps, asked) = (film.steps(), film.asked);
     output::text(&arguments.html, &page(&subject, film))?;
+    drop(busy);
+    if matches!(arguments.algorithm, cli::Shown::DivideConquer | cli::Shown::Sweep) {
+        no_segments(&subject, arguments.voice.quiet);
+    }
     if arguments.voice.json {
         println!(
             "{}",
