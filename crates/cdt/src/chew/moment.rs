@@ -18,7 +18,7 @@ impl<K, P: Probe> Chew<'_, '_, K, P> {
         let alive = (0..self.rings.len()).step_by(2).filter(|&h| !self.rings.is_removed(h));
         let edge = |h| [self.rings.origin(h), self.rings.destination(h)].map(name);
         let edges: Vec<[u32; 2]> = alive.map(edge).collect();
-        let title = format!("the strips of sites {} and {} on merged", name(i), name(m));
+        let title = format!("the strips from sites {} and {} on are merged", name(i), name(m));
         let marked: Vec<u32> = (i..j).map(name).collect();
         self.probe.show(&Moment { title: &title, triangles: &[], edges: &edges, marked: &marked });
     }

@@ -127,7 +127,7 @@ fn algorithms_are_seen_from_inside() {
     for (algorithm, steps, first, merged) in [
         ("divide-conquer", 4, "2 sites by themselves", "merged"),
         ("sweep", 7, "site event of", "circle event of"),
-        ("chew", 5, "the strips of sites", "come"),
+        ("chew", 3, "the strips", "come"),
     ] {
         let words = ["replay", "kite.poly", "--algorithm", algorithm, "--html", "r.html", "--json"];
         let (status, out, error) = run(folder.path(), &words);

@@ -122,6 +122,10 @@ fn ended(
         let _ = child.wait();
         return Err(Fault::Slow(format!("more than {} s", limit.as_secs_f64())));
     };
+    if status.code().is_none() {
+        // What ended it may be an interruption that this program is told of as well, in a moment.
+        std::thread::sleep(Duration::from_millis(100));
+    }
     let read = |file: &mut File| -> Result<String, Fault> {
         let mut bytes = Vec::new();
         file.rewind().and_then(|()| file.read_to_end(&mut bytes)).map_err(refused)?;
