@@ -35,6 +35,7 @@ mod divide;
 mod hand_over;
 mod leaves;
 mod merge;
+mod moment;
 mod region;
 mod rings;
 mod zip;
@@ -53,6 +54,8 @@ struct Chew<'k, 'p, K, P> {
     kernel: &'k K,
     probe: &'p mut P,
     segments: &'k [Ends],
+    /// What the caller calls the sites.
+    names: &'k [u32],
     rings: Rings,
     /// For each site the segments next below and above it.
     bounds: &'k [[Option<u32>; 2]],
@@ -65,8 +68,14 @@ struct Chew<'k, 'p, K, P> {
     wall: Vec<u32>,
 }
 
-/// The edges of the CDT of sites, ranked lexicographically, and segments, as a sweep over them has found them.
-pub(crate) fn chew<K: PlaneKernel, P: Probe>(kernel: &K, swept: &Swept, probe: &mut P) -> Rings {
+/// The edges of the CDT of sites, ranked lexicographically and called `names[rank]` by the caller, and segments, as a sweep over them has
+/// found them.
+pub(crate) fn chew<K: PlaneKernel, P: Probe>(
+    kernel: &K,
+    swept: &Swept,
+    names: &[u32],
+    probe: &mut P,
+) -> Rings {
     let (segments, bounds) = (&swept.pieces, &swept.neighbours);
     let count = bounds.len();
     let rings = Rings::new(swept);
@@ -74,6 +83,7 @@ pub(crate) fn chew<K: PlaneKernel, P: Probe>(kernel: &K, swept: &Swept, probe: &
         kernel,
         probe,
         segments,
+        names,
         rings,
         bounds,
         lists: Lists::new(segments.len()),

@@ -60,7 +60,7 @@ pub fn chew_from_points(
     let kernel = Adaptive::new(sites.points()).reordered(sites.sorted());
     let swept = sweep(&kernel, sites.len(), &graph.ranked());
     let meshed = swept.and_then(|swept| {
-        let rings = chew::chew(&kernel, &swept, probe);
+        let rings = chew::chew(&kernel, &swept, sites.sorted(), probe);
         Some((chew::hand_over(rings, &kernel, sites.sorted())?, swept))
     });
     if let Some(((mesh, constrained), swept)) = meshed {

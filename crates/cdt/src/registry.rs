@@ -165,7 +165,7 @@ where
     let kernel = kernel.reordered(graph.sorted);
     let swept =
         sweep(&kernel, graph.sorted.len(), &ranked).expect("a noded graph has no crossings");
-    let rings = crate::chew::chew(&kernel, &swept, probe);
+    let rings = crate::chew::chew(&kernel, &swept, graph.sorted, probe);
     crate::chew::hand_over(rings, &kernel, graph.sorted)
 }
 

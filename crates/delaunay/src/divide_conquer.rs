@@ -28,6 +28,7 @@
 
 mod cuts;
 mod merge;
+mod moment;
 mod patch;
 #[cfg(test)]
 mod tests;
@@ -85,7 +86,8 @@ fn laid_out(
     let kernel = kernel.reordered(&order);
     let mut arrays = Arrays::new(order.len());
     let patch = Patch::new(&mut arrays.apexes, &mut arrays.twins);
-    let hull = solve(&mut Work { patch, kernel: &kernel, probe }, 0, count(&order), Axis::X);
+    let mut work = Work { patch, kernel: &kernel, probe, names: &order };
+    let hull = solve(&mut work, 0, count(&order), Axis::X);
     drop(kernel);
     probe.on(Event::Site { done: order.len(), total: order.len() });
     if arrays.is_chain(hull) {
@@ -142,12 +144,16 @@ fn solve<K: Kernel<2>, P: Probe>(
     axis: Axis,
 ) -> Hull {
     if j - i <= 3 {
-        return leaf(work, i, j);
+        let hull = leaf(work, i, j);
+        work.show([i, j], || format!("{} sites by themselves", j - i));
+        return hull;
     }
     let m = i + (j - i) / 2;
     let left = solve(work, i, m, axis.other());
     let right = solve(work, m, j, axis.other());
-    work.merge(left, right, axis, 2 * m - 2) // Inv 1
+    let hull = work.merge(left, right, axis, 2 * m - 2); // Inv 1
+    work.show([i, j], || format!("{} and {} sites merged {}", m - i, j - m, axis.name()));
+    hull
 }
 
 /// The same on the threads there are.
@@ -159,7 +165,7 @@ fn solve_in_parallel<K: Kernel<2> + Sync>(
     axis: Axis,
 ) -> Hull {
     if (j - i) as usize <= THREAD {
-        return solve(&mut Work { patch, kernel, probe: &mut () }, i, j, axis);
+        return solve(&mut Work { patch, kernel, probe: &mut (), names: &[] }, i, j, axis);
     }
     let m = i + (j - i) / 2;
     let (left, right) = patch.split(3 * (2 * m - 1)); // Inv 1: the slots between go with either
@@ -167,7 +173,7 @@ fn solve_in_parallel<K: Kernel<2> + Sync>(
         || solve_in_parallel(left, kernel, i, m, axis.other()),
         || solve_in_parallel(right, kernel, m, j, axis.other()),
     );
-    Work { patch, kernel, probe: &mut () }.merge(left, right, axis, 2 * m - 2)
+    Work { patch, kernel, probe: &mut (), names: &[] }.merge(left, right, axis, 2 * m - 2)
 }
 
 /// Two or three sites: a triangle and its ghosts, or a chain of edges, each of them two ghosts back to back.

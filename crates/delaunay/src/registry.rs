@@ -6,7 +6,7 @@ use std::num::NonZeroUsize;
 
 use delone_mesh::Mesh;
 use delone_predicates::{Adaptive, Exact};
-use delone_probe::{Event, Probe, Unstoppable};
+use delone_probe::{Event, Moment, Probe, Unstoppable};
 use delone_sites::Sites;
 
 use crate::bowyer_watson::construct;
@@ -287,6 +287,14 @@ pub(crate) struct Watched<P> {
 impl<P: Probe> Probe for Watched<P> {
     fn on(&mut self, event: Event) {
         self.probe.on(event);
+    }
+
+    fn watches(&self) -> bool {
+        self.probe.watches()
+    }
+
+    fn show(&mut self, moment: &Moment<'_>) {
+        self.probe.show(moment);
     }
 
     fn goes_on(&mut self) -> bool {

@@ -34,6 +34,7 @@
 //! | circle events on one line | in any order; those of one circle make some triangulation of it | `cocircular_sites_are_swept` |
 
 mod beach;
+mod moment;
 #[cfg(test)]
 mod tests;
 
@@ -62,7 +63,7 @@ pub fn sweep<K: Kernel<2, Reordered: SweepKernel>>(
     let kernel = kernel.reordered(order);
     let mut mesh = match order.len() {
         0..=2 => None,
-        count => Sweep::start(&kernel, count).run(count, probe),
+        count => Sweep::start(&kernel, order).run(count, probe),
     }
     .unwrap_or_else(|| Mesh::chain(&(0..order.len()).map(VertexId::new).collect::<Vec<_>>()));
     flip_to_delaunay(&mut mesh, &kernel, probe);
@@ -73,6 +74,8 @@ pub fn sweep<K: Kernel<2, Reordered: SweepKernel>>(
 /// The mesh behind the line, the beach line, and the circle events to come. Vertices are numbered in lexicographic order.
 struct Sweep<'k, K> {
     kernel: &'k K,
+    /// What the caller calls the vertices.
+    names: &'k [u32],
     mesh: Mesh<2>,
     beach: Beach,
     queue: BinaryHeap<Pending<'k, K>>,
@@ -87,11 +90,13 @@ const INSIDE: usize = 2;
 
 impl<'k, K: SweepKernel> Sweep<'k, K> {
     /// With the line at the leftmost sites, or, if there is only one, at the second.
-    fn start(kernel: &'k K, count: usize) -> Self {
+    fn start(kernel: &'k K, names: &'k [u32]) -> Self {
+        let count = names.len();
         let is_leftmost = |v: &usize| kernel.compare(0, 0, *v).is_eq();
         let leftmost = (1..count).take_while(is_leftmost).count() + 1;
         let mut sweep = Self {
             kernel,
+            names,
             mesh: Mesh::bare(2),
             beach: Beach::default(),
             queue: BinaryHeap::new(),
@@ -132,6 +137,7 @@ impl<'k, K: SweepKernel> Sweep<'k, K> {
                 self.site_event(next, probe);
                 self.met += 1;
                 probe.on(Event::Site { done: self.met, total: count });
+                self.show(probe, "site event", &[next]);
             } else {
                 return (vanished > 0).then_some(self.mesh);
             }
@@ -206,6 +212,7 @@ impl<'k, K: SweepKernel> Sweep<'k, K> {
             probe.on(Event::CellMade);
             self.expect(self.mesh.twin(FacetId::new(ghost, BELOW)).cell(), probe);
             self.expect(ghost, probe);
+            self.show(probe, "circle event", &[c, b, a]);
         }
         is_now
     }

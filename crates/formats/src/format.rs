@@ -2,7 +2,7 @@
 //!
 //! | ending | format |
 //! |---|---|
-//! | `.node .poly .smesh .ele .edge .neigh .csv .off .obj .ply .stl .wkt .svg .edg .lar.json .geojson` | that of the name |
+//! | `.node .poly .smesh .ele .edge .neigh .csv .off .obj .ply .stl .npy .wkt .svg .edg .lar.json .geojson` | that of the name |
 //! | `.xyz .pts .pwn` | point list |
 //! | `.json .xml .txt .dat .xy .cin` and all others | by content |
 //! | `..xz` | by the name without it |
@@ -45,6 +45,8 @@ pub enum Format {
     Ply,
     /// STL, read only.
     Stl,
+    /// NumPy's table of doubles, a point a row.
+    Npy,
     /// GeoJSON.
     GeoJson,
     /// Any JSON dialect, read only.
@@ -83,7 +85,7 @@ pub enum Format {
 
 impl Format {
     /// All formats with the names that `--format` takes.
-    pub const NAMES: [(Self, &str); 30] = [
+    pub const NAMES: [(Self, &str); 31] = [
         (Self::Node, "node"),
         (Self::Poly, "poly"),
         (Self::Smesh, "smesh"),
@@ -97,6 +99,7 @@ impl Format {
         (Self::Obj, "obj"),
         (Self::Ply, "ply"),
         (Self::Stl, "stl"),
+        (Self::Npy, "npy"),
         (Self::GeoJson, "geojson"),
         (Self::Json, "json"),
         (Self::Wkt, "wkt"),
@@ -134,7 +137,7 @@ impl Format {
             "xyz" | "pts" | "pwn" => Self::Xyz,
             "edg" => Self::SegmentList,
             "node" | "poly" | "smesh" | "ele" | "edge" | "neigh" | "csv" | "off" | "obj"
-            | "ply" | "stl" | "geojson" | "wkt" | "svg" => return Self::from_name(ending),
+            | "ply" | "stl" | "npy" | "geojson" | "wkt" | "svg" => return Self::from_name(ending),
             _ => return None,
         })
     }
@@ -154,6 +157,7 @@ impl Format {
                 | Self::Lar
                 | Self::Off
                 | Self::Obj
+                | Self::Npy
                 | Self::GeoJson
                 | Self::Wkt
         )

@@ -9,7 +9,8 @@ use crate::format::Format;
 use crate::lists::contours::Runs;
 use crate::triangle::poly::Facets;
 use crate::{
-    json, jts_xml, lar, lists, obj, off, ply, stl, svg, text, triangle, wkt, wkt_table, xyz, xz,
+    json, jts_xml, lar, lists, npy, obj, off, ply, stl, svg, text, triangle, wkt, wkt_table, xyz,
+    xz,
 };
 
 /// Bytes to be read, and what is known about them.
@@ -107,6 +108,7 @@ fn read_format(
     match format {
         Format::Ply => return Ok(vec![ply::read(bytes)?]),
         Format::Stl => return Ok(vec![stl::read(bytes)?]),
+        Format::Npy => return Ok(vec![npy::read(bytes)?]),
         _ => {}
     }
     let text = text::decode(bytes);
@@ -140,7 +142,9 @@ fn read_format(
         Format::P2t => lists::p2t::read(text),
         Format::RingList => lists::contours::read(text, Runs::Closed),
         Format::PolylineList => lists::contours::read(text, Runs::Open),
-        Format::Neigh | Format::Ply | Format::Stl => Err(ReadError::UnknownFormat { at: at(0) }),
+        Format::Neigh | Format::Ply | Format::Stl | Format::Npy => {
+            Err(ReadError::UnknownFormat { at: at(0) })
+        }
     };
     Ok(vec![document?])
 }

@@ -3,12 +3,12 @@
 use std::fmt;
 use std::fs;
 use std::io::{self, BufWriter, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use crate::document::Document;
 use crate::format::Format;
 use crate::xyz::Keeps;
-use crate::{geojson, lar, obj, off, triangle, wkt, xyz};
+use crate::{geojson, lar, npy, obj, off, triangle, wkt, xyz};
 
 /// Why a document could not be written.
 #[derive(Debug)]
@@ -113,6 +113,10 @@ pub fn write(
             obj::lost(document, &mut lost);
             obj::write(document, out)?;
         }
+        Format::Npy => {
+            npy::lost(document, &mut lost);
+            npy::write(document, out)?;
+        }
         _ => return Err(WriteError::ReadOnly(format)),
     }
     Ok(lost.sentences)
@@ -133,11 +137,7 @@ pub fn write_atomically<T, E: From<io::Error>>(
     path: &Path,
     content: impl FnOnce(&mut BufWriter<fs::File>) -> Result<T, E>,
 ) -> Result<T, E> {
-    let name = path.file_name().ok_or_else(|| io::Error::from(io::ErrorKind::InvalidInput))?;
-    let mut beside = std::ffi::OsString::from(".");
-    beside.push(name);
-    beside.push(format!(".{}.part", std::process::id()));
-    let beside = path.with_file_name(beside);
+    let beside = unfinished(path).ok_or_else(|| io::Error::from(io::ErrorKind::InvalidInput))?;
     // An existing file of that name is somebody else's: it is neither overwritten nor removed.
     let file = fs::OpenOptions::new().write(true).create_new(true).open(&beside)?;
     let outcome = fill(file, content).and_then(|value| {
@@ -149,6 +149,16 @@ pub fn write_atomically<T, E: From<io::Error>>(
         let _ = fs::remove_file(&beside);
     }
     outcome
+}
+
+/// The new file beside `path` that [`write_atomically`] writes in this process; whoever ends the process in between may remove it.
+/// None if the path names no file.
+#[must_use]
+pub fn unfinished(path: &Path) -> Option<PathBuf> {
+    let mut beside = std::ffi::OsString::from(".");
+    beside.push(path.file_name()?);
+    beside.push(format!(".{}.part", std::process::id()));
+    Some(path.with_file_name(beside))
 }
 
 fn fill<T, E: From<io::Error>>(

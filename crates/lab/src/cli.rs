@@ -17,7 +17,7 @@ pub(crate) use steiner::{Conform, Refine, Refinement};
 
 pub(crate) use bench::{Bench, BenchAction, Engine};
 pub(crate) use fuzz::{Fuzz, Program, Shrink};
-pub(crate) use replay::Replay;
+pub(crate) use replay::{Replay, Shown};
 pub(crate) use tree::{Build, Code, Encode, Inside, Leaves, SonsIn, Stats, Tree, TreeAction};
 
 pub(crate) use alpha::{Alpha, Asked, Mode};
@@ -292,6 +292,12 @@ pub(crate) struct Compare {
     /// Write one self-contained report with pictures
     #[arg(long, value_name = "FILE")]
     pub(crate) html: Option<PathBuf>,
+    /// Write the table as CSV
+    #[arg(long, value_name = "FILE", conflicts_with = "scaling")]
+    pub(crate) csv: Option<PathBuf>,
+    /// Write the table for a paper
+    #[arg(long, value_name = "FILE", conflicts_with = "scaling")]
+    pub(crate) latex: Option<PathBuf>,
     /// Only these algorithms
     #[arg(long, value_delimiter = ',', value_name = "NAMES")]
     pub(crate) only: Vec<String>,

@@ -30,6 +30,7 @@ use crate::failure::Failure;
 
 fn main() -> ExitCode {
     pipe::end_quietly_when_closed();
+    watch::guard();
     let arguments = match cli::Arguments::try_parse() {
         Ok(arguments) => arguments,
         Err(error) => {

@@ -1,10 +1,12 @@
 //! Writing files: documents by ending, pictures, reports; whole or not at all.
 
-use std::fs;
-use std::io::Write;
-use std::path::Path;
+use std::fmt::Display;
+use std::fs::{self, File};
+use std::io::{BufWriter, Write};
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
 
-use delone_formats::{Document, Format, WriteError, write, write_atomically};
+use delone_formats::{Document, Format, unfinished, write, write_atomically};
 
 use crate::failure::Failure;
 
@@ -13,7 +15,7 @@ pub(crate) fn format_to_write(path: &Path) -> Result<Format, Failure> {
     let format = Format::from_path(&path.to_string_lossy()).filter(|format| format.is_written());
     format.ok_or_else(|| {
         Failure::input(format!(
-            "{}: the ending names no format that is written: .node .poly .ele .edge .neigh .csv .xyz .lar.json .off .obj \
+            "{}: the ending names no format that is written: .node .poly .ele .edge .neigh .csv .xyz .lar.json .off .obj .npy \
              .geojson .wkt",
             path.display()
         ))
@@ -34,17 +36,47 @@ pub(crate) fn check_paths<'p>(paths: impl IntoIterator<Item = &'p Path>) -> Resu
     Ok(())
 }
 
+/// The file that is being written, if one is.
+static WRITING: Mutex<Option<PathBuf>> = Mutex::new(None);
+
+/// Writes a file whole or not at all, also if the user interrupts: see [`remove_unfinished`].
+fn whole<T, E: From<std::io::Error> + Display>(
+    path: &Path,
+    content: impl FnOnce(&mut BufWriter<File>) -> Result<T, E>,
+) -> Result<T, Failure> {
+    let note = |path: Option<PathBuf>| {
+        // A lock is only poisoned by a panic, which ends the program.
+        *WRITING.lock().unwrap_or_else(PoisonError::into_inner) = path;
+    };
+    note(Some(path.to_owned()));
+    let outcome = write_atomically(path, content);
+    note(None);
+    outcome.map_err(|error| Failure::input(format!("{}: {error}", path.display())))
+}
+
+/// Removes what is there of a file that is being written; for whoever ends the program.
+pub(crate) fn remove_unfinished() {
+    let writing = WRITING.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some(part) = writing.as_deref().and_then(unfinished) {
+        // If it is not there, or cannot be removed, nothing is left to be done.
+        let _ = fs::remove_file(part);
+    }
+}
+
 /// Writes a document; returns what its format could not hold.
 pub(crate) fn document(path: &Path, document: &Document) -> Result<Vec<String>, Failure> {
     let format = format_to_write(path)?;
-    write_atomically(path, |out| write(document, format, out))
-        .map_err(|error: WriteError| Failure::input(format!("{}: {error}", path.display())))
+    whole(path, |out| write(document, format, out))
 }
 
 /// Writes a text.
 pub(crate) fn text(path: &Path, text: &str) -> Result<(), Failure> {
-    write_atomically(path, |out| out.write_all(text.as_bytes()))
-        .map_err(|error: std::io::Error| Failure::input(format!("{}: {error}", path.display())))
+    bytes(path, text.as_bytes())
+}
+
+/// Writes bytes.
+pub(crate) fn bytes(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    whole(path, |out: &mut BufWriter<File>| out.write_all(bytes))
 }
 
 /// Prints a document on standard output.

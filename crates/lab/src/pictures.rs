@@ -111,7 +111,7 @@ impl Drawing {
             constraints: always(self.segments.clone()),
             ghosts: always(outer(&self.triangles)),
             forced: always(forced),
-            steps: Vec::new(),
+            ..Scene::default()
         }
     }
 

@@ -16,6 +16,28 @@ pub(crate) fn spinner(quiet: bool) -> ProgressBar {
     bar
 }
 
+/// Long work without a length, told on a terminal for as long as this lives; nothing else is printed meanwhile.
+pub(crate) struct Busy(ProgressBar);
+
+impl Busy {
+    pub(crate) fn new(quiet: bool, what: &'static str) -> Self {
+        let bar = spinner(quiet);
+        bar.set_message(what);
+        Self(bar)
+    }
+
+    /// Something else is being done now.
+    pub(crate) fn at(&self, what: &'static str) {
+        self.0.set_message(what);
+    }
+}
+
+impl Drop for Busy {
+    fn drop(&mut self) {
+        self.0.finish_and_clear();
+    }
+}
+
 /// Counts, and shows how many sites are in.
 pub(crate) struct Progress {
     pub(crate) counts: Counts,

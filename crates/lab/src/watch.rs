@@ -7,6 +7,7 @@ use std::time::{Duration, Instant};
 use delone_probe::{Event, Probe};
 
 use crate::failure::Failure;
+use crate::output;
 use crate::progress::Progress;
 use crate::result::grouped;
 
@@ -23,14 +24,25 @@ pub(crate) fn limit(seconds: Option<f64>) -> Result<Option<Duration>, Failure> {
     limit.map(Some).map_err(|error| Failure::input(format!("--time-limit {seconds}: {error}")))
 }
 
-/// From here on the first interruption only stops what asks; the second ends the program.
-pub(crate) fn listen() {
-    // Where no handler can be set an interruption ends the program at once: files are whole or not there all the same.
+/// Whether something asks, and stops by itself.
+static LISTENS: AtomicBool = AtomicBool::new(false);
+
+/// From here on an interruption leaves nothing half-written. It ends the program, but for the first one while something
+/// [listens](listen).
+pub(crate) fn guard() {
+    // Where no handler can be set an interruption ends the program at once: files are whole all the same, or not there but for a
+    // hidden part.
     let _ = ctrlc::set_handler(|| {
-        if INTERRUPTED.swap(true, Ordering::Relaxed) {
+        if !LISTENS.load(Ordering::Relaxed) || INTERRUPTED.swap(true, Ordering::Relaxed) {
+            output::remove_unfinished();
             std::process::exit(130);
         }
     });
+}
+
+/// From here on the first interruption only stops what asks; the second ends the program.
+pub(crate) fn listen() {
+    LISTENS.store(true, Ordering::Relaxed);
 }
 
 /// Whether the user has interrupted since [`listen`].
@@ -52,6 +64,12 @@ impl<'p> Watch<'p> {
     pub(crate) fn start(progress: Option<&'p mut Progress>, limit: Option<Duration>) -> Self {
         listen();
         Self { progress, limit, start: Instant::now(), asked: 0, sites: [0, 0] }
+    }
+}
+
+impl Drop for Watch<'_> {
+    fn drop(&mut self) {
+        LISTENS.store(false, Ordering::Relaxed);
     }
 }
 

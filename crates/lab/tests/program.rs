@@ -7,6 +7,8 @@ mod bench;
 mod exercise;
 #[path = "program/fuzz.rs"]
 mod fuzz;
+#[path = "program/interrupt.rs"]
+mod interrupt;
 #[path = "program/pages.rs"]
 mod pages;
 #[path = "program/steiner.rs"]
@@ -400,4 +402,23 @@ fn classroom_draws_three_lines_twice() {
     };
     assert_eq!([0, 1, 2, 3, 4, 5].map(diagonal), [false, true, false, false, false, true]);
     assert_eq!(run(folder.path(), &["classroom"]).1, svg);
+}
+
+/// The comparison as tables: a row for each algorithm, and rules around them.
+#[test]
+fn a_comparison_is_written_as_tables() {
+    let folder = folder();
+    std::fs::write(folder.path().join("kite_1.poly"), KITE).unwrap();
+    let words =
+        ["compare", "kite_1.poly", "--only", "chew,cavity", "--csv", "t.csv", "--latex", "t.tex"];
+    assert_eq!(run(folder.path(), &words).0, 0);
+    let csv = std::fs::read_to_string(folder.path().join("t.csv")).unwrap();
+    let rows: Vec<Vec<&str>> = csv.lines().map(|line| line.split(',').collect()).collect();
+    assert_eq!((rows.len(), rows.iter().all(|row| row.len() == 10)), (3, true), "{csv}");
+    assert_eq!(rows[1][4], "constrained delaunay");
+    let tex = std::fs::read_to_string(folder.path().join("t.tex")).unwrap();
+    assert!(
+        tex.starts_with("\\begin{tabular}") && tex.contains("\\midrule\nkite\\_1.poly & "),
+        "{tex}"
+    );
 }

@@ -2,6 +2,8 @@
 
 use delone::workloads::Rng;
 
+use crate::corpus::{Corpus, NO_CORPUS};
+
 /// A source of decisions. A generator is a function of it alone.
 pub trait Choices {
     /// A number below `bound`; 0 if that is 0.
@@ -9,6 +11,11 @@ pub trait Choices {
 
     /// 64 bits.
     fn bits(&mut self) -> u64;
+
+    /// Files that a case may take pieces of.
+    fn corpus(&self) -> &Corpus {
+        NO_CORPUS
+    }
 
     /// An index below `bound`; 0 if that is 0.
     fn index(&mut self, bound: usize) -> usize {
@@ -38,6 +45,29 @@ impl Choices for Rng {
 
     fn bits(&mut self) -> u64 {
         self.next_u64()
+    }
+}
+
+/// Random numbers, beside files to take pieces of.
+#[derive(Debug)]
+pub struct Beside<'c> {
+    /// The decisions.
+    pub rng: Rng,
+    /// The files.
+    pub corpus: &'c Corpus,
+}
+
+impl Choices for Beside<'_> {
+    fn below(&mut self, bound: u64) -> u64 {
+        self.rng.below(bound)
+    }
+
+    fn bits(&mut self) -> u64 {
+        self.rng.next_u64()
+    }
+
+    fn corpus(&self) -> &Corpus {
+        self.corpus
     }
 }
 

@@ -5,12 +5,17 @@
 
 mod attempt;
 mod extra;
+mod file;
+mod hash;
+mod table;
 mod tally;
 mod target;
 
 pub use attempt::{Broken, attempt};
+pub use file::File;
+pub use table::{target, targets};
 pub use tally::{Finding, MergeError, Shard, Tally};
-pub use target::{Input, Subject, Target, target, targets};
+pub use target::{Input, Subject, Target};
 
 #[cfg(test)]
 mod tests;

@@ -12,6 +12,7 @@ use delone::workloads::{Kind, Points, all};
 
 use crate::case::Case;
 use crate::choices::Choices;
+use crate::corpus::taken;
 use crate::id;
 pub use coordinate::{Palette, coordinate};
 pub use moves::{Move, moved};
@@ -24,8 +25,17 @@ pub const POINTS_MAX: usize = 14;
 
 /// Points of the plane or of space.
 pub fn points<const D: usize>(choices: &mut dyn Choices) -> Case<D> {
+    drawn(choices).without_segments()
+}
+
+/// The same; pieces of a corpus have their segments with them.
+fn drawn<const D: usize>(choices: &mut dyn Choices) -> Case<D> {
+    let Case { mut points, segments, .. } = taken(choices);
     let palette = Palette::choose(choices);
-    let mut points = if choices.one_in(6) { seeds(choices) } else { Vec::new() };
+    if choices.one_in(6) {
+        points.extend(seeds::<D>(choices));
+        points.truncate(POINTS_MAX);
+    }
     let count = choices.index(POINTS_MAX + 1).max(points.len());
     while points.len() < count {
         let point = match Move::choose(choices) {
@@ -36,13 +46,14 @@ pub fn points<const D: usize>(choices: &mut dyn Choices) -> Case<D> {
         points.push(point.map(|x| if x.is_finite() { x } else { 0.0 }));
     }
     moves::whole(&mut points, choices);
-    Case::of_points(NAME, points)
+    Case { name: NAME.to_owned(), points, segments }
 }
 
 /// Points and segments that do not cross.
 pub fn graph(choices: &mut dyn Choices) -> Case<2> {
-    let mut case = points::<2>(choices);
-    for ends in candidates(case.points.len(), choices) {
+    let mut case = drawn::<2>(choices);
+    let taken = std::mem::take(&mut case.segments);
+    for ends in taken.into_iter().chain(candidates(case.points.len(), choices)) {
         case.segments.push(ends);
         if case.try_pslg().is_none() {
             case.segments.pop();
@@ -53,8 +64,8 @@ pub fn graph(choices: &mut dyn Choices) -> Case<2> {
 
 /// Points and segments that may cross.
 pub fn crossing(choices: &mut dyn Choices) -> Case<2> {
-    let mut case = points::<2>(choices);
-    case.segments = candidates(case.points.len(), choices);
+    let mut case = drawn::<2>(choices);
+    case.segments.extend(candidates(case.points.len(), choices));
     case
 }
 

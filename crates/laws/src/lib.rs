@@ -24,6 +24,7 @@
 //! | demand every law of one input | [`laws`] |
 //! | inputs that break triangulators | [`generate`] |
 //! | many inputs, counted, in shards | [`fuzz`] |
+//! | inputs with pieces of your own files in them | [`corpus`] |
 //! | the smallest input that still fails | [`shrink()`] |
 //! | judge another program's triangles | [`foreign`] |
 //! | results as plain data before the judge | [`judge`], [`cells`] |
@@ -37,6 +38,7 @@
 pub mod case;
 pub mod cells;
 pub mod choices;
+pub mod corpus;
 pub mod exact;
 pub mod foreign;
 pub mod fuzz;

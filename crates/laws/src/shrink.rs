@@ -93,18 +93,17 @@ impl<const D: usize, F: FnMut(&Case<D>) -> bool> Search<'_, D, F> {
     }
 
     fn drop_segments(&mut self) {
-        self.drop_runs(
-            |case| case.segments.len(),
-            |case, start, end| {
-                let mut fewer = case.clone();
-                fewer.segments.drain(start..end);
-                fewer
-            },
-        );
+        drop_runs(self.best.segments.len(), |start, end| {
+            let mut fewer = self.best.clone();
+            fewer.segments.drain(start..end);
+            self.offer(fewer)
+        });
     }
 
     fn drop_points(&mut self) {
-        self.drop_runs(|case| case.points.len(), without_points);
+        drop_runs(self.best.points.len(), |start, end| {
+            self.offer(without_points(&self.best, start, end))
+        });
     }
 
     /// Lets one point's segments end at another instead, and takes it out.
@@ -119,25 +118,6 @@ impl<const D: usize, F: FnMut(&Case<D>) -> bool> Search<'_, D, F> {
                 self.offer(without_points(&image, gone, gone + 1))
             });
             gone += usize::from(!merged);
-        }
-    }
-
-    /// Takes out runs of halving length until none can go. [ZH02]
-    fn drop_runs(
-        &mut self,
-        length: impl Fn(&Case<D>) -> usize,
-        without: impl Fn(&Case<D>, usize, usize) -> Case<D>,
-    ) {
-        let mut run = length(&self.best).div_ceil(2);
-        while run > 0 {
-            let mut start = 0;
-            while start < length(&self.best) {
-                let end = (start + run).min(length(&self.best));
-                if !self.offer(without(&self.best, start, end)) {
-                    start = end;
-                }
-            }
-            run = if run == 1 { 0 } else { run.div_ceil(2) };
         }
     }
 
@@ -181,6 +161,23 @@ impl<const D: usize, F: FnMut(&Case<D>) -> bool> Search<'_, D, F> {
                 }
             }
         }
+    }
+}
+
+/// Takes runs of halving length out of so many things until none can go. [ZH02]
+pub(crate) fn drop_runs(mut length: usize, mut drop: impl FnMut(usize, usize) -> bool) {
+    let mut run = length.div_ceil(2);
+    while run > 0 {
+        let mut start = 0;
+        while start < length {
+            let end = (start + run).min(length);
+            if drop(start, end) {
+                length -= end - start;
+            } else {
+                start = end;
+            }
+        }
+        run = if run == 1 { 0 } else { run.div_ceil(2) };
     }
 }
 

@@ -20,6 +20,9 @@
 //! [`goes_on`](Probe::goes_on) says no stops what can be stopped: it may look at a flag that another thread sets, at a
 //! count, at a clock.
 //!
+//! **Step by step.** A probe that [`watches`](Probe::watches) is shown each [`Moment`] of some algorithms, triangles and all, as their
+//! insides have them: for pictures. To others nothing is shown, at no cost.
+//!
 //! **Not here.** Clocks and progress bars: only the lab reads a clock.
 
 /// One thing an algorithm did. Shared by all algorithms, so that their counts compare.
@@ -58,10 +61,33 @@ pub enum Event {
     SteinerPoint,
 }
 
+/// What there is after a step of an algorithm, vertices named as its caller does.
+#[derive(Clone, Copy, Debug)]
+pub struct Moment<'a> {
+    /// What has just been done, in a line.
+    pub title: &'a str,
+    /// The triangles there are, counter-clockwise.
+    pub triangles: &'a [[u32; 3]],
+    /// Edges that are not sides of these triangles on both sides, some of them twice.
+    pub edges: &'a [[u32; 2]],
+    /// The vertices that the step was about.
+    pub marked: &'a [u32],
+}
+
 /// Listens to an algorithm.
 pub trait Probe {
     /// Called at each event, in the order things happen.
     fn on(&mut self, event: Event);
+
+    /// Whether it is to be shown what there is after each step; that takes O(n) for each.
+    #[inline(always)]
+    fn watches(&self) -> bool {
+        false
+    }
+
+    /// Called after each step by algorithms that show their insides, if the probe watches.
+    #[inline(always)]
+    fn show(&mut self, _moment: &Moment<'_>) {}
 
     /// Whether to go on. Asked between two sites, and only by algorithms that say that they can be stopped: those return
     /// an error instead of a result if the answer is no. All others neither ask nor stop.
@@ -84,6 +110,16 @@ impl<P: Probe + ?Sized> Probe for &mut P {
     }
 
     #[inline]
+    fn watches(&self) -> bool {
+        (**self).watches()
+    }
+
+    #[inline]
+    fn show(&mut self, moment: &Moment<'_>) {
+        (**self).show(moment);
+    }
+
+    #[inline]
     fn goes_on(&mut self) -> bool {
         (**self).goes_on()
     }
@@ -97,6 +133,16 @@ impl<P: Probe> Probe for Unstoppable<P> {
     #[inline(always)]
     fn on(&mut self, event: Event) {
         self.0.on(event);
+    }
+
+    #[inline(always)]
+    fn watches(&self) -> bool {
+        self.0.watches()
+    }
+
+    #[inline(always)]
+    fn show(&mut self, moment: &Moment<'_>) {
+        self.0.show(moment);
     }
 }
 

@@ -105,6 +105,39 @@ def kuzmin(n, rng):
     return points
 
 
+def shuttle(n):
+    strip, points = -(-n // 2), []
+    for i in range(strip):
+        points.append((i // 2, i % 2))
+    for j in range(n // 2):
+        points.append((-(1 + j // 2), 0.5) if j % 2 == 0 else (strip + 1 + j // 2, 0.5))
+    return points
+
+
+def column(n, rng):
+    places = list(range(n))
+    rng.shuffle(places)
+    return [(x, i * n) for i, x in enumerate(places)]
+
+
+def beach(n, rng):
+    row, places = -(-n // 2), list(range(n // 2))
+    rng.shuffle(places)
+    return [(i, 0) for i in range(row)] + [(x + 0.5, 1 + j / n) for j, x in enumerate(places)]
+
+
+def wheel(n, rng):
+    # Gaussian integers of one norm: for each prime 1 mod 4 a square, the norm, or the conjugate's square.
+    rim = [1, 1j, -1, -1j]
+    for z in (1 + 2j, 2 + 3j, 1 + 4j, 2 + 5j, 1 + 6j, 4 + 5j, 2 + 7j, 5 + 6j, 3 + 8j, 5 + 8j):
+        if len(rim) >= n - 1:
+            break
+        factors = (z * z, z * z.conjugate(), z.conjugate() * z.conjugate())
+        rim = [p * f for p in rim for f in factors]
+    rng.shuffle(rim)
+    return [(0, 0)] + [(p.real + 0.0, p.imag + 0.0) for p in rim[: n - 1]]
+
+
 def independent(name, n, rng):
     s = square(n)
     return {
@@ -118,6 +151,13 @@ def independent(name, n, rng):
         "line-inexact": lambda: ([(x, x / 3 + 0.1) for x in (rng.unit() for _ in range(n))],),
         "parabola": lambda: ([(i - n // 2, (i - n // 2) ** 2) for i in range(n)],),
         "moment-curve": lambda: ([(i, i * i, i**3) for i in range(n)],),
+        "falling-sites": lambda: (
+            [(i - n // 4, 0) for i in range(-(-n // 2))] + [(0, 4 * n - j) for j in range(n // 2)],
+        ),
+        "shuttle": lambda: (shuttle(n),),
+        "shuffled-column": lambda: (column(n, rng),),
+        "beach": lambda: (beach(n, rng),),
+        "wheel": lambda: (wheel(n, rng),),
         "scaled-tiny": lambda: ([(rng.unit() * 2.0**-900, rng.unit() * 2.0**-900) for _ in range(n)],),
         "crossing-soup": lambda: soup(n, rng),
         "ladder": lambda: ladder(n),

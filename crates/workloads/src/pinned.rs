@@ -15,7 +15,7 @@ fn contract_of_fingerprints() {
     }
 }
 
-const PINNED: [(&str, u64); 78] = [
+const PINNED: [(&str, u64); 83] = [
     ("uniform", 0x6cdc_587c_b0db_3220), // twice
     ("gauss", 0x3c53_bd75_8595_107b),
     ("clusters", 0x6d52_7107_1c4d_ac20),
@@ -50,7 +50,12 @@ const PINNED: [(&str, u64); 78] = [
     ("duplicates", 0xa1b6_07c2_0732_179d),
     ("near-duplicates", 0x552c_6575_f3c4_d45a),
     ("all-equal", 0xfd84_6d3a_737d_9bf5),
-    ("uniform-3d", 0x6c7e_970a_059e_9737), // twice
+    ("falling-sites", 0x7fe3_6e89_2ec4_2f18),   // twice
+    ("shuttle", 0xe114_af09_f625_d98d),         // twice
+    ("shuffled-column", 0xbb33_7286_95ae_e3bc), // twice
+    ("beach", 0x69e3_4a09_3776_5085),           // twice
+    ("wheel", 0xdc71_ca32_cf97_4f33),           // twice
+    ("uniform-3d", 0x6c7e_970a_059e_9737),      // twice
     ("gauss-3d", 0x5d3e_d23b_5f4d_5a94),
     ("clusters-3d", 0xfa00_6b2b_ac15_4d63),
     ("grid-3d", 0xd2a4_1e24_7d90_cab0),

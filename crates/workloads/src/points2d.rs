@@ -6,6 +6,7 @@ pub(crate) mod lines;
 pub(crate) mod range;
 pub(crate) mod repeats;
 pub(crate) mod scatter;
+pub(crate) mod worst;
 
 /// Sites of the plane.
 pub(crate) type Plane = Vec<[f64; 2]>;

@@ -1,6 +1,7 @@
-//! The project's own chores: `cargo xtask test`, `tidy`, `mutants`, `setup`.
+//! The project's own chores: `cargo xtask test`, `tidy`, `mutants`, `setup`, `bench`.
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "a program for the terminal")]
 
+mod bench;
 mod mutants;
 mod peers;
 mod run;
@@ -26,6 +27,12 @@ enum Chore {
     Test,
     /// Install what the tests need with the system's package manager
     Setup,
+    /// Build everybody who takes part in `delone bench`, and run it: bench.csv, bench.html, bench.tex
+    Bench {
+        /// Words for `delone bench`, after --
+        #[arg(last = true)]
+        words: Vec<String>,
+    },
     /// Check arrows between crates, file sizes, paper keys, and that each degeneracy names its test
     Tidy,
     /// Apply each wrong patch of mutants.toml to a copy of the project: some test must fail
@@ -46,6 +53,7 @@ fn main() -> ExitCode {
     let outcome = match Arguments::parse().chore {
         Chore::Test => test::test(),
         Chore::Setup => setup::setup().and_then(|()| peers::build()),
+        Chore::Bench { words } => bench::bench(&words),
         Chore::Tidy => tidy::tidy(),
         Chore::Mutants { only } => mutants::mutants(only.as_deref()),
     };

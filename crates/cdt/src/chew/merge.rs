@@ -79,6 +79,7 @@ impl<K: PlaneKernel, P: Probe> Chew<'_, '_, K, P> {
         self.close(growing, None);
         self.regions.truncate(base);
         self.regions.append(&mut self.merged);
+        self.show(slab);
     }
 
     /// A merged region is done, and kept if a site is in it.

@@ -37,6 +37,14 @@ impl Axis {
         }
     }
 
+    /// How two blocks lie that are cut across it.
+    pub(super) const fn name(self) -> &'static str {
+        match self {
+            Self::X => "side by side",
+            Self::Y => "one above the other",
+        }
+    }
+
     /// The other one.
     pub(super) const fn other(self) -> Self {
         match self {

@@ -55,11 +55,12 @@ impl From<Site> for usize {
     }
 }
 
-/// A patch in work: the predicates that are asked, and who is told.
+/// A patch in work: the predicates that are asked, who is told, and the sites of the places, for those who are shown it.
 pub(super) struct Work<'a, K, P> {
     pub(super) patch: Patch<'a>,
     pub(super) kernel: &'a K,
     pub(super) probe: &'a mut P,
+    pub(super) names: &'a [u32],
 }
 
 impl<K: Kernel<2>, P: Probe> Work<'_, K, P> {

@@ -56,6 +56,11 @@ impl<'a> Patch<'a> {
         )
     }
 
+    /// The corners of all slots, in use or not.
+    pub(super) fn triangles(&self) -> impl Iterator<Item = [Place; 3]> + '_ {
+        self.apexes.as_chunks::<3>().0.iter().copied()
+    }
+
     /// How many triangles fit.
     pub(super) const fn slots(&self) -> usize {
         self.apexes.len() / 3

@@ -84,7 +84,7 @@ fn a_site_where_two_arcs_meet_cuts_off_an_empty_arc() {
                 [lower, upper, [5.0, 0.0]].into_iter().chain(beyond).collect();
             let sites = Sites::new(&points).unwrap();
             let kernel = Adaptive::new(sites.points()).reordered(sites.sorted());
-            let mut sweep = Sweep::start(&kernel, 3);
+            let mut sweep = Sweep::start(&kernel, &[0, 1, 2]);
             let [site, first, second] = [2, 0, 1].map(VertexId::new);
             let is_first_lower = lower[0] <= upper[0];
             let (below, over) = if is_first_lower { (first, second) } else { (second, first) };

@@ -3,7 +3,7 @@ function scene(figure) {
   const canvas = figure.querySelector("canvas"), state = figure.querySelector(".state"), detail = figure.querySelector(".detail");
   const points = new Float32Array(bytes(figure, "points"));
   const things = name => new Uint32Array(bytes(figure, name));
-  const triangles = things("triangles"), constraints = things("constraints"), ghosts = things("ghosts"), forced = things("forced");
+  const triangles = things("triangles"), constraints = things("constraints"), ghosts = things("ghosts"), forced = things("forced"), wires = things("wires");
   const told = new TextDecoder().decode(bytes(figure, "steps"));
   const steps = told === "" ? [] : told.split("\x1e").map(line => {
     const [title, marked, more] = line.split("\x1f");
@@ -45,7 +45,12 @@ function scene(figure) {
     if (shows("edges")) {
       draw.beginPath();
       each(triangles, 3, i => { const [a, b, c] = triangles.subarray(i, i + 3); line(a, b); line(b, c); line(c, a); });
+      each(wires, 2, i => line(wires[i], wires[i + 1]));
       stroke("--edge", 1);
+      // What came: of wires, edges; of triangles, those that are filled.
+      draw.beginPath();
+      each(wires, 2, (i, isNew) => { if (isNew) line(wires[i], wires[i + 1]); });
+      stroke("--segment", 1.6);
       // What went at this step.
       draw.beginPath();
       for (let i = 0; i < triangles.length; i += 5) {
@@ -53,6 +58,7 @@ function scene(figure) {
         const [a, b, c] = triangles.subarray(i, i + 3);
         line(a, b); line(b, c); line(c, a);
       }
+      for (let i = 0; i < wires.length; i += 4) if (step > 0 && wires[i + 3] === step) line(wires[i], wires[i + 1]);
       stroke("--warn", 1, [4, 4]);
     }
     if (shows("circles")) {
@@ -113,7 +119,7 @@ function scene(figure) {
 
   function say(view) {
     const at = steps.length ? `step ${step} of ${steps.length - 1}: ${steps[step].title}; ` : "";
-    state.textContent = `${at}${points.length / 2} sites, ${count(triangles, 3)} triangles, ${count(constraints, 2)} constraints, `
+    state.textContent = `${at}${points.length / 2} sites, ${count(triangles, 3)} triangles, ${wires.length ? count(wires, 2) + " loose edges, " : ""}${count(constraints, 2)} constraints, `
       + `${count(forced, 2)} not Delaunay, ${count(ghosts, 2)} ghosts; zoom ${view.zoom.toFixed(2)}, moved ${view.moved()}${place(view)}`;
     detail.textContent = steps.length ? steps[step].more : "";
     detail.hidden = detail.textContent === "";
@@ -143,12 +149,13 @@ function scene(figure) {
 for (const figure of document.querySelectorAll("figure.scene")) scene(figure);
 
 // The address may say what to do once the page is there, as a reader would with mouse and keys, so that tests can:
-// #do=click;SELECTOR|drag;SELECTOR;DX;DY|wheel;SELECTOR;DY|key;SELECTOR;KEY
+// #do=click;SELECTOR|drag;SELECTOR;DX;DY|wheel;SELECTOR;DY|key;SELECTOR;KEY|measure;SELECTOR
 for (const act of decodeURIComponent(location.hash).startsWith("#do=") ? decodeURIComponent(location.hash).slice(4).split("|") : []) {
   const [what, selector, ...how] = act.split(";"), element = document.querySelector(selector);
   if (!element) continue;
   const box = element.getBoundingClientRect(), at = (dx, dy) => ({ clientX: box.left + box.width / 2 + dx, clientY: box.top + box.height / 2 + dy, pointerId: 1, bubbles: true });
   if (what === "click") element.click();
+  if (what === "measure") element.dataset.beyond = element.scrollWidth - element.clientWidth;
   if (what === "wheel") element.dispatchEvent(new WheelEvent("wheel", { ...at(0, 0), deltaY: +how[0], cancelable: true }));
   if (what === "key") element.dispatchEvent(new KeyboardEvent("keydown", { key: how[0], bubbles: true, cancelable: true }));
   if (what === "drag") {

@@ -51,6 +51,8 @@ pub struct Scene {
     pub ghosts: Vec<Span<2>>,
     /// Edges that are not Delaunay.
     pub forced: Vec<Span<2>>,
+    /// Edges of no triangle.
+    pub wires: Vec<Span<2>>,
     /// What happens; a scene that does not move has none.
     pub steps: Vec<Step>,
 }
@@ -99,6 +101,7 @@ impl Scene {
         self.spans(out, "constraints", &self.constraints, &layout);
         self.spans(out, "ghosts", &self.ghosts, &layout);
         self.spans(out, "forced", &self.forced, &layout);
+        self.spans(out, "wires", &self.wires, &layout);
         data(out, "steps", self.told().into_bytes().into_iter());
     }
 

@@ -2,11 +2,14 @@
 
 use super::{Format, plain_name};
 use crate::text::{Line, Tokens, decode, is_count, lines, parse_number};
-use crate::wkt;
+use crate::{npy, wkt};
 
 pub(super) fn by_content(path: &str, bytes: &[u8]) -> Option<Format> {
     if bytes.starts_with(b"ply\n") || bytes.starts_with(b"ply\r\n") {
         return Some(Format::Ply);
+    }
+    if bytes.starts_with(npy::MAGIC) {
+        return Some(Format::Npy);
     }
     let text = decode(bytes);
     let first = lines(&text, Some('#')).next()?;

@@ -31,6 +31,9 @@ pub(crate) struct Bench {
     /// Leave out inputs of more sites
     #[arg(long, value_name = "N")]
     pub(crate) sites_max: Option<usize>,
+    /// End with 1 if a peer is wrong, too: else only if an engine of ours is
+    #[arg(long)]
+    pub(crate) strict: bool,
     /// Write a record of every run
     #[arg(long, value_name = "FILE")]
     pub(crate) csv: Option<PathBuf>,

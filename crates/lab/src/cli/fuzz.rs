@@ -10,6 +10,7 @@ use super::Voice;
 #[command(after_help = "Examples:\n  \
     delone fuzz --seconds 60                                 every target for a minute in all\n  \
     delone fuzz cdt --cases 100000 --shards 8 --state runs   eight processes, resumable\n  \
+    delone fuzz --seconds 3600 --shards 2 --state runs       every target on two cores for an hour in all\n  \
     delone fuzz cdt --program 'mycdt {in} {out}'             your program against the judge, failures made small\n  \
     delone fuzz cdt --seed 1 --case 4711                     one case again")]
 pub(crate) struct Fuzz {
@@ -40,11 +41,14 @@ pub(crate) struct Fuzz {
     #[arg(long, value_name = "I/N", requires = "state")]
     pub(crate) shard: Option<String>,
     /// Run this many processes, a shard each, and merge what they say
-    #[arg(long, value_name = "N", requires_all = ["state", "cases"], conflicts_with = "shard")]
+    #[arg(long, value_name = "N", requires = "state", conflicts_with = "shard")]
     pub(crate) shards: Option<u64>,
     /// Merge the shards in this folder instead of running any
-    #[arg(long, value_name = "FOLDER", conflicts_with_all = ["cases", "seconds", "shard", "shards", "state", "program"])]
+    #[arg(long, value_name = "FOLDER", conflicts_with_all = ["cases", "seconds", "shard", "shards", "state"])]
     pub(crate) merge: Option<PathBuf>,
+    /// Let cases take points and segments of the files in this folder
+    #[arg(long, value_name = "FOLDER")]
+    pub(crate) corpus: Option<PathBuf>,
     /// Write failing inputs, made small, to this folder
     #[arg(short, long, value_name = "FOLDER", default_value = "delone-failures")]
     pub(crate) output: PathBuf,

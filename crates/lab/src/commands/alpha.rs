@@ -15,6 +15,7 @@ use crate::cli::{self, Mode};
 use crate::engine::{self, Triangulation};
 use crate::failure::Failure;
 use crate::pictures::Drawing;
+use crate::progress::Busy;
 use crate::result::{self, grouped};
 use crate::subject::{Body, Subject};
 use crate::{input, output};
@@ -30,6 +31,7 @@ pub(crate) fn alpha(arguments: &cli::Alpha) -> Result<(), Failure> {
     if is_list && !(arguments.outputs.is_empty() && arguments.svg.is_none()) {
         return Err(Failure::input("-o and --svg hold one complex: name a parameter"));
     }
+    let busy = Busy::new(arguments.voice.quiet, "reading");
     let start = Instant::now();
     let mut document = input::read(&arguments.source.input, arguments.source.format.as_deref())?;
     input::take_weights(&mut document, arguments.weights.file.as_deref())?;
@@ -39,6 +41,7 @@ pub(crate) fn alpha(arguments: &cli::Alpha) -> Result<(), Failure> {
     }
     let read = start.elapsed().as_secs_f64();
     let start = Instant::now();
+    busy.at("filtering");
     let name = engine::choose(&subject, None)?;
     let triangulation =
         engine::run(&subject, name, &delone_delaunay::Options::default(), None).triangulation;
@@ -46,16 +49,16 @@ pub(crate) fn alpha(arguments: &cli::Alpha) -> Result<(), Failure> {
         Task { arguments, subject: &subject, triangulation: &triangulation, name, read, start };
     match (&subject.body, &triangulation) {
         (Body::Plane(sites), Triangulation::Plane(result)) => {
-            task.answer(&AlphaFiltration::of(sites, result))
+            task.answer(&AlphaFiltration::of(sites, result), busy)
         }
         (Body::Space(sites), Triangulation::Space(result)) => {
-            task.answer(&AlphaFiltration::of(sites, result))
+            task.answer(&AlphaFiltration::of(sites, result), busy)
         }
         (Body::WeightedPlane(sites), Triangulation::RegularPlane(result)) => {
-            task.answer(&AlphaFiltration::of_regular(sites, result))
+            task.answer(&AlphaFiltration::of_regular(sites, result), busy)
         }
         (Body::WeightedSpace(sites), Triangulation::RegularSpace(result)) => {
-            task.answer(&AlphaFiltration::of_regular(sites, result))
+            task.answer(&AlphaFiltration::of_regular(sites, result), busy)
         }
         _ => unreachable!("points have Delaunay or regular triangulations"),
     }
@@ -97,7 +100,11 @@ fn value_of(param: AlphaParam) -> Value {
 }
 
 impl Task<'_> {
-    fn answer<const D: usize>(&self, filtration: &AlphaFiltration<D>) -> Result<(), Failure> {
+    fn answer<const D: usize>(
+        &self,
+        filtration: &AlphaFiltration<D>,
+        busy: Busy,
+    ) -> Result<(), Failure> {
         let build = self.start.elapsed().as_secs_f64();
         let param = param(&self.arguments.asked);
         let cut = match param {
@@ -107,6 +114,7 @@ impl Task<'_> {
         if let Some(path) = &self.arguments.html {
             output::text(path, &page::slider(self, filtration, cut))?;
         }
+        drop(busy);
         match param {
             None => lists::tell(self, filtration, build),
             Some((name, param)) => self.complex(filtration, build, name, (param, cut)),

@@ -9,17 +9,21 @@ use serde_json::json;
 use crate::cli;
 use crate::failure::Failure;
 use crate::input;
+use crate::progress::Busy;
 use crate::result::{check_value, verdict_text};
 
 pub(crate) fn check(arguments: &cli::Check) -> Result<(), Failure> {
+    let busy = Busy::new(arguments.voice.quiet, "reading");
     let mut given = input::read(&arguments.input, None)?;
     input::take_weights(&mut given, arguments.weights.file.as_deref())?;
     let output = read_output(&arguments.output, &given)?;
+    busy.at("judging");
     let verdict = if given.dimension == 3 {
         judge_space(arguments, &given, &output)?
     } else {
         judge_plane(arguments, &given, &output)?
     };
+    drop(busy);
     if arguments.voice.json {
         let object = json!({
             "schema": "delone.check/1",

@@ -4,8 +4,9 @@ mod page;
 mod scaling;
 mod suite;
 mod table;
+mod tables;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use delone_check::Verdict;
@@ -77,7 +78,8 @@ impl Comparison {
 }
 
 pub(crate) fn compare(arguments: &cli::Compare) -> Result<(), Failure> {
-    output::check_paths(arguments.html.as_deref())?;
+    let files = arguments.html.iter().chain(&arguments.csv).chain(&arguments.latex);
+    output::check_paths(files.map(PathBuf::as_path))?;
     let known = engine::all_names();
     if let Some(stranger) = arguments.only.iter().find(|name| !known.contains(&name.as_str())) {
         let known = known.join(", ");
@@ -107,6 +109,12 @@ pub(crate) fn compare(arguments: &cli::Compare) -> Result<(), Failure> {
     bar.finish_and_clear();
     if let Some(path) = &arguments.html {
         output::text(path, &page::page(&comparison))?;
+    }
+    if let Some(path) = &arguments.csv {
+        output::text(path, &tables::csv(&comparison))?;
+    }
+    if let Some(path) = &arguments.latex {
+        output::text(path, &tables::latex(&comparison))?;
     }
     if arguments.voice.json {
         println!("{}", json(&comparison));

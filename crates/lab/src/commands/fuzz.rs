@@ -7,8 +7,10 @@ pub(crate) mod program;
 mod shards;
 mod state;
 
+use std::sync::Arc;
 use std::time::Duration;
 
+use delone_laws::corpus::Corpus;
 use delone_laws::fuzz::{Broken, Shard, Subject, Tally, Target, target, targets};
 use serde_json::{Value, json};
 
@@ -19,13 +21,7 @@ use crate::{output, watch};
 use campaign::Budget;
 use findings::Kept;
 use program::Program;
-
-/// What was seen of one target.
-struct Seen {
-    tally: Tally,
-    /// None if it was merged of shards.
-    seconds: Option<f64>,
-}
+use state::Timed;
 
 /// Seconds if no budget is given.
 const SECONDS: f64 = 10.0;
@@ -44,11 +40,10 @@ pub(crate) fn fuzz(arguments: &cli::Fuzz) -> Result<(), Failure> {
     let canary =
         if arguments.merge.is_none() { Some(campaign::canary(arguments.seed)?) } else { None };
     let seen = if let Some(folder) = &arguments.merge {
-        merged(folder, &targets, None)?
+        merged(folder, &targets, arguments, None)?
     } else if let (Some(count), Some(folder)) = (arguments.shards, &arguments.state) {
-        let names: Vec<&str> = targets.iter().map(|target| target.name).collect();
-        shards::run(arguments, &names, count)?;
-        merged(folder, &targets, Some(arguments.seed))?
+        shards::run(arguments, &targets, count)?;
+        merged(folder, &targets, arguments, Some(arguments.seed))?
     } else {
         run(arguments, &targets, &mut program)?
     };
@@ -56,7 +51,7 @@ pub(crate) fn fuzz(arguments: &cli::Fuzz) -> Result<(), Failure> {
     let bar = spinner(arguments.voice.quiet);
     bar.set_message("making failures small");
     if arguments.shard.is_none() {
-        for Seen { tally, .. } in &seen {
+        for Timed { tally, .. } in &seen {
             let target = targets.iter().find(|target| label(target, arguments) == tally.target);
             let target = target.expect("a tally is one of these targets'");
             kept.extend(findings::keep(target, tally, &mut program, &arguments.output)?);
@@ -71,12 +66,16 @@ pub(crate) fn fuzz(arguments: &cli::Fuzz) -> Result<(), Failure> {
     if failed { Err(Failure::Difference(None)) } else { Ok(()) }
 }
 
-/// What a target is called in tallies: with a program, a campaign of its own.
+/// What a target is called in tallies: with a program, or a corpus, a campaign of its own.
 fn label(target: &Target, arguments: &cli::Fuzz) -> String {
-    match &arguments.program.program {
-        Some(program) => format!("{} {program}", target.name),
-        None => target.name.to_owned(),
+    let mut label = target.name.to_owned();
+    if let Some(program) = &arguments.program.program {
+        label.push_str(&format!(" {program}"));
     }
+    if !target.corpus().is_empty() {
+        label.push_str(&format!(" with corpus {:016x}", target.corpus().digest()));
+    }
+    label
 }
 
 /// The targets asked for, or all but the canary; with a program, those whose answer is cells.
@@ -85,7 +84,12 @@ fn chosen(arguments: &cli::Fuzz) -> Result<Vec<Target>, Failure> {
     let fits = |target: &Target| {
         if arguments.program.program.is_some() { judged.contains(&target.name) } else { true }
     };
-    let known: Vec<Target> = targets().into_iter().filter(|target| fits(target)).collect();
+    let corpus = Arc::new(match &arguments.corpus {
+        Some(folder) => files::corpus(folder, arguments.voice.quiet)?,
+        None => Corpus::default(),
+    });
+    let known = targets().into_iter().filter(|target| fits(target));
+    let known: Vec<Target> = known.map(|target| target.with_corpus(corpus.clone())).collect();
     if arguments.targets.is_empty() {
         if arguments.program.program.is_some() {
             return Err(Failure::input(format!(
@@ -118,7 +122,7 @@ fn run(
     arguments: &cli::Fuzz,
     targets: &[Target],
     program: &mut Option<Program>,
-) -> Result<Vec<Seen>, Failure> {
+) -> Result<Vec<Timed>, Failure> {
     let shard = shard(arguments.shard.as_deref())?;
     let limited = arguments.seconds.or_else(|| arguments.cases.is_none().then_some(SECONDS));
     let count = u32::try_from(targets.len()).expect("a few targets");
@@ -130,12 +134,15 @@ fn run(
     for target in targets {
         let label = label(target, arguments);
         let saved = folder.map(|folder| state::path(folder, &label, arguments.seed, shard));
-        let mut tally = match saved.filter(|path| path.is_file()) {
+        let mut timed = match saved.filter(|path| path.is_file()) {
             Some(path) => state::load(&path)?,
-            None => Tally { target: label, ..Tally::new(target, arguments.seed, shard) },
+            None => {
+                let tally = Tally::new(target, arguments.seed, shard);
+                Timed { tally: Tally { target: label, ..tally }, seconds: 0.0 }
+            }
         };
-        let seconds = campaign::run(target, &mut tally, budget, program, folder, quiet)?;
-        all.push(Seen { tally, seconds: Some(seconds) });
+        campaign::run(target, &mut timed, budget, program, folder, quiet)?;
+        all.push(timed);
     }
     Ok(all)
 }
@@ -144,20 +151,28 @@ fn run(
 fn merged(
     folder: &std::path::Path,
     targets: &[Target],
+    arguments: &cli::Fuzz,
     seed: Option<u64>,
-) -> Result<Vec<Seen>, Failure> {
+) -> Result<Vec<Timed>, Failure> {
     let mut all = Vec::new();
     for shards in state::load_all(folder)? {
-        let wanted = |tally: &Tally| {
-            targets.iter().any(|target| tally.target.split(' ').next() == Some(target.name))
+        let wanted = |Timed { tally, .. }: &Timed| {
+            targets.iter().any(|target| label(target, arguments) == tally.target)
                 && seed.is_none_or(|seed| tally.seed == seed)
         };
         if shards.iter().all(wanted) {
-            let tally = Tally::merged(&shards).map_err(|error| {
-                Failure::input(format!("{}: {}: {error}", folder.display(), shards[0].target))
+            // They ran at one time.
+            let seconds = shards.iter().map(|timed| timed.seconds).fold(0.0, f64::max);
+            let tallies: Vec<Tally> = shards.into_iter().map(|timed| timed.tally).collect();
+            let tally = Tally::merged(&tallies).map_err(|error| {
+                Failure::input(format!("{}: {}: {error}", folder.display(), tallies[0].target))
             })?;
-            all.push(Seen { tally, seconds: None });
+            all.push(Timed { tally, seconds });
         }
+    }
+    if all.is_empty() {
+        let folder = folder.display();
+        return Err(Failure::input(format!("{folder}: no shard is of such a campaign")));
     }
     Ok(all)
 }
@@ -201,7 +216,7 @@ fn again(
     if outcome.is_ok() { Ok(()) } else { Err(Failure::Difference(None)) }
 }
 
-fn tell(arguments: &cli::Fuzz, canary: Option<u64>, seen: &[Seen], kept: &[Kept]) {
+fn tell(arguments: &cli::Fuzz, canary: Option<u64>, seen: &[Timed], kept: &[Kept]) {
     if arguments.voice.json {
         println!("{}", json(arguments, canary, seen, kept));
         return;
@@ -209,35 +224,32 @@ fn tell(arguments: &cli::Fuzz, canary: Option<u64>, seen: &[Seen], kept: &[Kept]
     if let Some(case) = canary {
         println!("canary         dies in case {case}, as it must");
     }
-    for Seen { tally, seconds } in seen {
-        let rate =
-            seconds.map_or_else(String::new, |s| format!(", {:.0} a second", per_second(tally, s)));
+    for Timed { tally, seconds } in seen {
         println!(
-            "{:14} {} cases{rate}, {} kinds of failure, digest {:016x}",
+            "{:14} {} cases, {:.0} a second, {} kinds of failure, digest {:016x}",
             tally.target,
             tally.executions,
+            per_second(tally, *seconds),
             tally.findings.len(),
             tally.digest
         );
     }
-    let program = arguments.program.program.as_deref();
-    kept.iter().for_each(|kept| print!("{}", kept.text(program)));
+    kept.iter().for_each(|kept| print!("{}", kept.text(arguments)));
 }
 
-/// Cases a second; of those run now and before alike if a campaign was resumed.
+/// Cases a second, of all shards together; of those run now and before alike if a campaign was resumed.
 #[expect(clippy::cast_precision_loss, reason = "a rate for people")]
 fn per_second(tally: &Tally, seconds: f64) -> f64 {
     tally.executions as f64 / seconds.max(1e-9)
 }
 
-fn json(arguments: &cli::Fuzz, canary: Option<u64>, seen: &[Seen], kept: &[Kept]) -> Value {
-    let row = |seen: &Seen| {
-        let Seen { tally, seconds } = seen;
+fn json(arguments: &cli::Fuzz, canary: Option<u64>, seen: &[Timed], kept: &[Kept]) -> Value {
+    let row = |Timed { tally, seconds }: &Timed| {
         json!({
             "target": tally.target,
             "executions": tally.executions,
             "seconds": seconds,
-            "per_second": seconds.map(|seconds| per_second(tally, seconds)),
+            "per_second": per_second(tally, *seconds),
             "digest": format!("{:016x}", tally.digest),
             "tried": tally.tried,
             "failures": tally.findings.len(),
@@ -275,6 +287,7 @@ pub(crate) fn target_for(
         delone_laws::fuzz::Input::Space(_) => "delaunay-3d",
         delone_laws::fuzz::Input::Plane(case) if case.segments.is_empty() => "delaunay-2d",
         delone_laws::fuzz::Input::Plane(_) => "cdt",
+        delone_laws::fuzz::Input::File(_) => files::READERS,
     };
     let name = name.unwrap_or(fitting);
     target(name).ok_or_else(|| Failure::input(format!("no target is called {name}")))

@@ -9,6 +9,7 @@ use crate::cli;
 use crate::failure::Failure;
 use crate::output;
 use crate::pictures::Drawing;
+use crate::progress::Busy;
 use crate::subject::{Subject, document_of};
 
 pub(crate) fn generate(arguments: &cli::Generate) -> Result<(), Failure> {
@@ -19,12 +20,16 @@ pub(crate) fn generate(arguments: &cli::Generate) -> Result<(), Failure> {
         return list(arguments);
     };
     let workload = find(name).map_err(Failure::input)?;
+    let busy = Busy::new(arguments.voice.quiet, "generating");
     let document = document_of(name, &workload.generate(arguments.n, arguments.seed));
     if let Some(path) = &arguments.output {
+        busy.at("writing");
         let lost = output::document(path, &document)?;
+        drop(busy);
         lost.iter().filter(|_| !arguments.voice.quiet).for_each(|lost| eprintln!("note: {lost}"));
         return Ok(());
     }
+    drop(busy);
     if arguments.voice.json {
         return output::print(&document, Format::Lar);
     }

@@ -1,9 +1,11 @@
-//! `delone replay`: a construction step by step, as a page to go through: sites come one by one, then segments.
+//! `delone replay`: a construction step by step, as a page to go through: sites come one by one, then segments; or what a batch
+//! algorithm shows of its inside.
 //!
-//! Steps are those of the dynamic structures themselves, under a kernel that notes each question; the mesh after the last step
-//! is compared with what the batch algorithms make.
+//! Steps are those of the structures themselves, under a kernel that notes each question where it can; the mesh after the last step
+//! is compared with what another algorithm makes.
 
 mod film;
+mod inside;
 mod recording;
 
 use delone_cdt::cavity;
@@ -17,6 +19,7 @@ use serde_json::json;
 
 use crate::cli;
 use crate::failure::Failure;
+use crate::progress::Busy;
 use crate::result::{describe, grouped};
 use crate::subject::{Body, Subject};
 use crate::{input, output};
@@ -25,6 +28,7 @@ use recording::{Notes, Recording};
 
 pub(crate) fn replay(arguments: &cli::Replay) -> Result<(), Failure> {
     output::check_paths([arguments.html.as_path()])?;
+    let busy = Busy::new(arguments.voice.quiet, "recording");
     let document = input::read(&arguments.source.input, arguments.source.format.as_deref())?;
     if document.dimension != 2 {
         return Err(Failure::input("only inputs in the plane are replayed"));
@@ -37,13 +41,23 @@ pub(crate) fn replay(arguments: &cli::Replay) -> Result<(), Failure> {
             "{count} sites: no one goes through that many steps; --sites-max raises the limit of {most}"
         )));
     }
-    let (film, agrees) = match &subject.body {
-        Body::Plane(sites) => shown(sites, None),
-        Body::Graph(pslg) => shown(pslg.sites(), Some(pslg)),
+    let (sites, pslg) = match &subject.body {
+        Body::Plane(sites) => (sites, None),
+        Body::Graph(pslg) => (pslg.sites(), Some(pslg)),
         _ => return Err(Failure::input("weights and crossings are not replayed")),
+    };
+    let (film, agrees) = match arguments.algorithm {
+        cli::Shown::Insertion => shown(sites, pslg),
+        cli::Shown::DivideConquer => inside::divide_conquer(sites),
+        cli::Shown::Sweep => inside::sweep(sites),
+        cli::Shown::Chew => inside::chew(sites, pslg),
     };
     let (steps, asked) = (film.steps(), film.asked);
     output::text(&arguments.html, &page(&subject, film))?;
+    drop(busy);
+    if matches!(arguments.algorithm, cli::Shown::DivideConquer | cli::Shown::Sweep) {
+        no_segments(&subject, arguments.voice.quiet);
+    }
     if arguments.voice.json {
         println!(
             "{}",
@@ -62,6 +76,13 @@ pub(crate) fn replay(arguments: &cli::Replay) -> Result<(), Failure> {
     Err(Failure::Difference(Some("the last step is not what the batch algorithms make".to_owned())))
 }
 
+/// Says that segments are left out, if there are any.
+fn no_segments(subject: &Subject, quiet: bool) {
+    if matches!(subject.body, Body::Graph(_)) && !quiet {
+        eprintln!("this algorithm takes sites alone: segments are left out");
+    }
+}
+
 /// Sites one by one, then segments; and whether the result is what the batch algorithms make.
 fn shown(sites: &Sites<2>, pslg: Option<&Pslg>) -> (Film, bool) {
     let (notes, points) = (Notes::default(), sites.points());
@@ -71,7 +92,7 @@ fn shown(sites: &Sites<2>, pslg: Option<&Pslg>) -> (Film, bool) {
     for site in (0u32..).take(sites.len()) {
         let mut counts = Counts::default();
         dynamic.insert(site, &mut counts);
-        film.step(&format!("site {site} comes"), dynamic.mesh(), &[], vec![site], &counts, &notes);
+        film.step(&format!("site {site} comes"), dynamic.mesh(), &[], &[site], &counts, &notes);
     }
     let options = Options::default();
     let batch = delone_delaunay::delaunay(sites, &options, &mut ());
@@ -89,7 +110,7 @@ fn shown(sites: &Sites<2>, pslg: Option<&Pslg>) -> (Film, bool) {
         dynamic.insert_segment([a, b], &mut counts).expect("a noded graph has no crossings");
         let cdt = dynamic.cdt();
         let title = format!("segment {a} {b} comes");
-        film.step(&title, cdt.mesh(), &cdt.constrained_edges(), vec![a, b], &counts, &notes);
+        film.step(&title, cdt.mesh(), &cdt.constrained_edges(), &[a, b], &counts, &notes);
     }
     agrees &= dynamic.cdt().canonical() == cavity(pslg, &options, &mut ()).canonical();
     (film, agrees)

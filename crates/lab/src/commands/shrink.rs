@@ -12,7 +12,7 @@ use crate::progress::spinner;
 
 pub(crate) fn shrink(arguments: &cli::Shrink) -> Result<(), Failure> {
     output::check_paths(arguments.output.as_deref())?;
-    let input = files::read(&arguments.input)?;
+    let input = files::read(&arguments.input, arguments.target.as_deref())?;
     let mut program = Program::new(&arguments.program)?;
     let target = target_for(arguments.target.as_deref(), &input)?;
     let one = match (&program, &arguments.law) {

@@ -9,6 +9,7 @@ use serde_json::{Value, json};
 
 use crate::cli::{Build, Code, Encode, Inside, Leaves, SonsIn, Stats, Tree, TreeAction};
 use crate::failure::Failure;
+use crate::progress::Busy;
 use crate::{input, output};
 
 pub(crate) fn tree(arguments: &Tree) -> Result<(), Failure> {
@@ -21,6 +22,7 @@ pub(crate) fn tree(arguments: &Tree) -> Result<(), Failure> {
 
 fn build(arguments: &Build) -> Result<(), Failure> {
     output::check_paths(arguments.output.as_deref())?;
+    let busy = Busy::new(arguments.voice.quiet, "growing");
     let document = input::read(&arguments.source.input, arguments.source.format.as_deref())?;
     let points = document.points_2d().map_err(Failure::input)?;
     let segments: Vec<[usize; 2]> =
@@ -33,6 +35,7 @@ fn build(arguments: &Build) -> Result<(), Failure> {
     }
     let mut object = numbers(&tree, arguments.depth);
     place(&mut object, &frame);
+    drop(busy);
     tell(&object, arguments.voice.json);
     if !arguments.voice.quiet {
         document.notes.iter().for_each(|note| eprintln!("note: {note}"));

@@ -14,6 +14,7 @@ use crate::cli;
 use crate::engine::{self, Triangulation};
 use crate::failure::Failure;
 use crate::pictures::Drawing;
+use crate::progress::Busy;
 use crate::result::describe;
 use crate::subject::{Body, Subject};
 use crate::{fill, input, output};
@@ -24,12 +25,14 @@ pub(crate) fn triangulate2d(arguments: &cli::Triangulate2d) -> Result<(), Failur
     }
     let pictures = arguments.svg.iter().chain(&arguments.operators);
     output::check_paths(arguments.outputs.iter().chain(pictures).map(std::path::PathBuf::as_path))?;
+    let busy = Busy::new(arguments.voice.quiet, "reading");
     let document = input::read(&arguments.source.input, arguments.source.format.as_deref())?;
     let subject = match arguments.crossings {
         cli::Crossings::Split => Subject::crossed(document)?,
         cli::Crossings::Snap => Subject::snapped(document)?,
         cli::Crossings::Reject => Subject::graph(document)?,
     };
+    busy.at("triangulating");
     let name = engine::choose(&subject, None)?;
     let built = engine::run(&subject, name, &delone_delaunay::Options::default(), None);
     let triangulation = built.triangulation;
@@ -50,6 +53,7 @@ pub(crate) fn triangulate2d(arguments: &cli::Triangulate2d) -> Result<(), Failur
         explain::explain(&soup, cdt, folder)?;
     }
     let object = soup.json(&triangulation, arguments.fill);
+    drop(busy);
     if arguments.voice.json {
         println!("{object}");
     } else {

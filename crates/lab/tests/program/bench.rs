@@ -61,7 +61,7 @@ fn rows<'o>(object: &'o Value, engine: &str, sites: u64) -> Vec<&'o Value> {
 fn a_wrong_engine_posts_no_time() {
     let folder = folder();
     let (status, object) = bench(folder.path(), "");
-    assert_eq!(status, 1);
+    assert_eq!(status, 0, "a peer that is wrong has no time, and is no fault of ours");
     let ours = rows(&object, "ours", 60);
     assert_eq!(ours.len(), 6, "two rounds, three times each");
     assert!(ours.iter().all(|row| row["verdict"] == "ok" && row["time"].as_f64().unwrap() > 0.0));
@@ -78,9 +78,50 @@ fn a_wrong_engine_posts_no_time() {
     }
     let tex = std::fs::read_to_string(folder.path().join("r.tex")).unwrap();
     assert!(tex.contains("\\toprule") && tex.contains("& wrong & -- & --"), "{tex}");
+    let words = ["bench", "d.toml", "--engines", "engines.toml", "--strict", "--rounds", "1"];
+    assert_eq!(run(folder.path(), &words).0, 1, "but for those who ask");
     let html = std::fs::read_to_string(folder.path().join("r.html")).unwrap();
     assert!(html.contains(", n^"), "exponents are fitted");
     assert!(roxmltree::Document::parse(html.trim_start_matches("<!DOCTYPE html>\n")).is_ok());
+}
+
+/// Who takes too long has no time, and no turn on more sites.
+#[test]
+fn a_slow_engine_is_stopped() {
+    let folder = folder();
+    let engines =
+        format!("{ENGINES}[[engine]]\nname = \"sloth\"\ncommand = \"sleep 60 # {{in}} {{out}}\"\n");
+    std::fs::write(folder.path().join("engines.toml"), engines).unwrap();
+    let text = definition("").replace("\"liar\", \"absent\", \"shy\"", "\"sloth\"");
+    std::fs::write(folder.path().join("d.toml"), format!("limit = 1.5\n{text}")).unwrap();
+    let words = ["bench", "d.toml", "--engines", "engines.toml", "--json"];
+    let (status, out, _) = run(folder.path(), &words);
+    assert_eq!(status, 0);
+    let object: Value = serde_json::from_str(&out).unwrap();
+    assert_eq!(rows(&object, "sloth", 60)[0]["verdict"], "slow: more than 1.5 s");
+    let larger = rows(&object, "sloth", 200)[0]["verdict"].as_str().unwrap();
+    assert_eq!(larger, "slow: it was too slow on fewer sites");
+    assert_eq!(rows(&object, "ours", 200).len(), 6);
+}
+
+/// In a table of calls, too: wrong signs have no time, and those of ours fail.
+#[test]
+fn a_table_is_read_by_its_marks() {
+    let folder = folder();
+    let table = "[[engine]]\nname = \"table\"\ncommand = \"printf '| a | ours: 2.5 (2..3) | peer: 1.0 (1..1) (x) |\\n'\"\n";
+    std::fs::write(folder.path().join("engines.toml"), table).unwrap();
+    let definition = "name = \"t\"\nanalysis = \"a\"\ntask = \"table\"\nengines = [\"table\"]\n";
+    let status = |ours: &str| {
+        std::fs::write(folder.path().join("t.toml"), format!("{definition}ours = [\"{ours}\"]\n"))
+            .unwrap();
+        let (status, out, error) =
+            run(folder.path(), &["bench", "t.toml", "--engines", "engines.toml", "--json"]);
+        let object: Value = serde_json::from_str(&out).unwrap_or_else(|_| panic!("{error}"));
+        assert_eq!(rows(&object, "ours", 0)[0]["time"], 2.5);
+        assert!(rows(&object, "peer", 0)[0]["time"].is_null());
+        status
+    };
+    assert_eq!([status("ours"), status("peer")], [0, 1]);
 }
 
 #[test]

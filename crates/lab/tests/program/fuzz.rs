@@ -147,6 +147,48 @@ fn programs_that_hang_crash_or_are_not_there_are_told() {
     assert_eq!(json(folder.path(), &words).0, 0);
 }
 
+/// Cases with pieces of the user's files: others than without, the same in shards, made again by number; another folder, another
+/// campaign.
+#[test]
+fn a_corpus_takes_part() {
+    let folder = folder();
+    let corpus = folder.path().join("mine");
+    std::fs::create_dir(&corpus).unwrap();
+    std::fs::write(corpus.join("a.xyz"), "12345.5 1\n2 3\n12345.5 9\n").unwrap();
+    std::fs::write(corpus.join("notes"), "nothing to read\n").unwrap();
+    let words = ["fuzz", "predicates-2d", "--cases", "60"];
+    let digest = |more: &[&str]| {
+        let (status, object) = json(folder.path(), &[&words[..], more].concat());
+        assert_eq!(status, 0, "{object}");
+        object["targets"][0]["digest"].clone()
+    };
+    let with = digest(&["--corpus", "mine"]);
+    assert_ne!(with, digest(&[]));
+    assert_eq!(with, digest(&["--corpus", "mine", "--shards", "3", "--state", "runs"]));
+    let merge = ["fuzz", "predicates-2d", "--merge", "runs"];
+    assert_eq!(run(folder.path(), &merge).0, 2, "those shards are of another campaign");
+    let merge = [&merge[..], &["--corpus", "mine"]].concat();
+    assert_eq!(json(folder.path(), &merge).1["targets"][0]["digest"], with);
+    std::fs::write(corpus.join("a.xyz"), "12345.5 1\n").unwrap();
+    assert_ne!(with, digest(&["--corpus", "mine"]));
+    std::fs::remove_file(corpus.join("a.xyz")).unwrap();
+    assert_eq!(run(folder.path(), &[&words[..], &["--corpus", "mine"]].concat()).0, 2);
+}
+
+/// Shards that were given a time are brought level: together they are one process.
+#[test]
+fn shards_by_time_are_brought_level() {
+    let folder = folder();
+    let words = ["fuzz", "predicates-2d", "--seconds", "0.4", "--shards", "2", "--state", "runs"];
+    let (status, object) = json(folder.path(), &words);
+    assert_eq!(status, 0, "{object}");
+    let target = &object["targets"][0];
+    assert!(target["per_second"].as_f64().unwrap() > 0.0);
+    let cases = target["executions"].to_string();
+    let (_, one) = json(folder.path(), &["fuzz", "predicates-2d", "--cases", &cases]);
+    assert_eq!(one["targets"][0]["digest"], target["digest"]);
+}
+
 #[test]
 fn bad_words_are_refused() {
     let folder = folder();

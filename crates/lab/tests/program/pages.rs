@@ -117,6 +117,47 @@ fn layers_are_seen() {
     assert_eq!(plain, shot(&twice, "twice.png"));
 }
 
+/// Algorithms from inside: their last step is the mesh that insertion makes, and those before it show blocks, events, strips.
+#[test]
+fn algorithms_are_seen_from_inside() {
+    let Some(browser) = browser() else { return };
+    let folder = folder();
+    std::fs::write(folder.path().join("kite.poly"), KITE).unwrap();
+    let page = folder.path().join("r.html");
+    for (algorithm, steps, first, merged) in [
+        ("divide-conquer", 4, "2 sites by themselves", "merged"),
+        ("sweep", 7, "site event of", "circle event of"),
+        ("chew", 3, "the strips", "come"),
+    ] {
+        let words = ["replay", "kite.poly", "--algorithm", algorithm, "--html", "r.html", "--json"];
+        let (status, out, error) = run(folder.path(), &words);
+        assert_eq!(status, 0, "{algorithm}: {error}");
+        assert!(out.contains("\"agree\":true"), "{out}");
+        let state = |acts: &[&str]| state(browser, &page, acts);
+        let last = state(&[]);
+        assert!(last.contains("the mesh is handed over") && last.contains("4 triangles"), "{last}");
+        let at: usize = last.split_whitespace().nth(1).unwrap().parse().unwrap();
+        assert!(at >= steps, "{algorithm}: {last}");
+        let second = state(&["click;button[data-go=first]", "click;button[data-go=next]"]);
+        assert!(second.contains(first), "{second}");
+        let before = state(&["click;button[data-go=back]"]);
+        assert!(before.contains(merged), "{before}");
+    }
+}
+
+/// The table of a comparison fits into a window of common width.
+#[test]
+fn tables_fit() {
+    let Some(browser) = browser() else { return };
+    let folder = folder();
+    assert_eq!(run(folder.path(), &["gen", "coast", "-n", "2000", "-o", "coast.poly"]).0, 0);
+    let words = ["compare", "coast.poly", "--html", "c.html", "-q"];
+    assert_eq!(run(folder.path(), &words).0, 0);
+    let more = ["--dump-dom".to_owned(), "--window-size=1300,900".to_owned()];
+    let dom = look(browser, &folder.path().join("c.html"), &["measure;.scroll"], &more);
+    assert!(dom.contains("class=\"scroll\" data-beyond=\"0\""), "it runs off the page");
+}
+
 /// A click on a column's head sorts the table.
 #[test]
 fn tables_sort() {

@@ -1,146 +1,27 @@
-//! Laws that only fuzzing asks for: of predicates, of crossing segments, of files; and the canary.
+//! Laws that only fuzzing asks for: each crate's own, over the generator's cases; and the canary.
+//!
+//! | module | laws of |
+//! |---|---|
+//! | `predicates` | signs, the canary among them |
+//! | `plane` | agreement of constrained triangulations, crossings, files written and read again |
+//! | `steiner` | conforming triangulations, refinement |
+//! | `alpha` | alpha filtrations, Betti numbers, persistence |
+//! | `queries` | location, nearest sites, natural neighbours, Voronoi's diagram |
+//! | `trees` | quadtrees |
+//! | `readers` | files of any bytes |
 
-use delone::cdt::{algorithms, cavity, cdt_of_arrangement, chew_from_points, from_points};
-use delone::check::{Arranged, Level, Options, judge_arranged};
-use delone::formats::{Document, Format, Source, one, read_bytes, write};
-use delone::predicates::{Adaptive, Dyadic, Exact, ExactOver, Kernel, Naive, Sign};
-use delone::sites::{Arrangement, Noded};
-use delone::workloads::Rng;
+mod alpha;
+mod plane;
+mod predicates;
+mod queries;
+mod readers;
+mod steiner;
+mod trees;
 
-use crate::case::Case;
-use crate::id;
-use crate::judge::{Rigour, accept_constrained, solid_cells};
-use crate::laws::Law;
-
-/// Simplices of a case that predicates are asked about.
-const SIMPLICES_MAX: usize = 40;
-
-/// Filters and integers say what numbers of any length say.
-pub(super) fn of_predicates<const D: usize>() -> Vec<Law<D>> {
-    vec![Law { name: "signs", hold: |case| agree(case, &Adaptive::new(&case.points[..])) }]
-}
-
-/// A law that does not hold: that doubles are enough. A fuzzer that does not break it is blind.
-pub(super) fn canary() -> Vec<Law<2>> {
-    vec![Law { name: "canary", hold: |case| agree(case, &Naive::new(&case.points[..])) }]
-}
-
-fn agree<const D: usize>(case: &Case<D>, kernel: &impl Kernel<D>) -> usize {
-    if case.points.len() < D + 2 {
-        return 0;
-    }
-    let fixed = Exact::new(&case.points[..]);
-    let any = ExactOver::<Dyadic, _>::new(&case.points[..]);
-    let mut rng = Rng::named("signs", 1);
-    for _ in 0..SIMPLICES_MAX {
-        let mut vertices: Vec<usize> = (0..case.points.len()).collect();
-        rng.shuffle(&mut vertices);
-        let (mut simplex, q) = (vertices[..=D].to_vec(), vertices[D + 1]);
-        let sign = any.orient(&simplex);
-        assert_eq!(fixed.orient(&simplex), sign, "{}: exact orient {simplex:?}", case.name);
-        assert_eq!(kernel.orient(&simplex), sign, "{}: orient {simplex:?}", case.name);
-        match sign {
-            Sign::Zero => continue,
-            Sign::Negative => simplex.swap(0, 1),
-            Sign::Positive => {}
-        }
-        let sign = any.lifted(&simplex, q);
-        assert_eq!(fixed.lifted(&simplex, q), sign, "{}: exact lifted {simplex:?}", case.name);
-        assert_eq!(kernel.lifted(&simplex, q), sign, "{}: lifted {simplex:?} {q}", case.name);
-    }
-    SIMPLICES_MAX
-}
-
-/// Segments that do not cross: every algorithm and door gives one triangulation, and the judge accepts it.
-pub(super) fn of_agreement() -> Vec<Law<2>> {
-    vec![Law { name: "one answer", hold: one_answer }]
-}
-
-/// The definition is tried on so many sites: it takes their cube in time.
-const NAIVE_MAX: usize = 9;
-
-fn one_answer(case: &Case<2>) -> usize {
-    let segments: Vec<[usize; 2]> =
-        case.segments.iter().map(|ends| ends.map(|v| v as usize)).collect();
-    let pslg = case.pslg();
-    let options = delone::delaunay::Options::default();
-    let first = cavity(&pslg, &options, &mut ());
-    accept_constrained(case, &pslg, &first, Rigour::Once);
-    let is_quick = |name: &str| name != "naive" || pslg.sites().len() <= NAIVE_MAX;
-    for algorithm in algorithms().iter().filter(|algorithm| is_quick(algorithm.name)) {
-        let other = (algorithm.run)(&pslg, &options);
-        assert_eq!(other.canonical(), first.canonical(), "{}: {}", case.name, algorithm.name);
-        assert_eq!(other.constrained_edges(), pslg.subsegments(), "{}", algorithm.name);
-    }
-    for way in [from_points, chew_from_points] {
-        let (noded, other) = way(&case.points, &segments, &mut ()).expect("no crossings");
-        assert_eq!(noded, pslg, "{}", case.name);
-        assert_eq!(other.canonical(), first.canonical(), "{}", case.name);
-    }
-    1
-}
-
-/// Segments that cross: every algorithm gives one triangulation, with every crossing a vertex, and the judge proves it.
-pub(super) fn of_crossings() -> Vec<Law<2>> {
-    vec![Law { name: "crossings", hold: crossings }]
-}
-
-fn crossings(case: &Case<2>) -> usize {
-    let segments: Vec<[usize; 2]> =
-        case.segments.iter().map(|ends| ends.map(|v| v as usize)).collect();
-    let graph = Arrangement::new(&case.points, &segments).expect("points are finite");
-    let first = cdt_of_arrangement(&graph, &mut ());
-    let count = graph.positions().len();
-    for algorithm in algorithms().iter().filter(|algorithm| count <= algorithm.sites_max) {
-        let other = (algorithm.run_crossed)(&graph, &mut ());
-        assert_eq!(other.canonical(), first.canonical(), "{}: {}", case.name, algorithm.name);
-        assert_eq!(other.constrained_edges(), graph.subsegments(), "{}", algorithm.name);
-    }
-    if first.mesh().dimension() == Some(2) {
-        let vertices: Vec<u32> = (0..id(count)).collect();
-        let arranged = Arranged {
-            points: graph.sites().points(),
-            crossings: graph.crossings(),
-            cells: &solid_cells(first.mesh(), &vertices),
-            segments: graph.segments(),
-            constrained: &first.constrained_edges(),
-        };
-        let verdict = judge_arranged(&arranged, &Options::default());
-        assert!(verdict.ok && verdict.level == Level::Constrained, "{}: {verdict}", case.name);
-    }
-    1 + count - graph.sites().len()
-}
-
-/// What is written is read again, bit for bit.
-pub(super) fn of_files() -> Vec<Law<2>> {
-    vec![Law { name: "round-trip", hold: round_trip }]
-}
-
-fn round_trip(case: &Case<2>) -> usize {
-    if case.points.is_empty() {
-        return 0; // a .poly file without points says that they are in another file
-    }
-    let document = Document {
-        points: case.points.as_flattened().to_vec(),
-        segments: case.segments.clone(),
-        ..Document::new(2)
-    };
-    let formats = [Format::Poly, Format::Lar, Format::Off];
-    for format in formats {
-        let mut bytes = Vec::new();
-        write(&document, format, &mut bytes).unwrap_or_else(|error| panic!("{format:?}: {error}"));
-        let source = Source { name: "", bytes: &bytes, format: Some(format), nodes: None };
-        let again = read_bytes(&source).and_then(|documents| one(documents, ""));
-        let again = again.unwrap_or_else(|error| panic!("{format:?}: {error}"));
-        let bits = |document: &Document| -> Vec<u64> {
-            document.points.iter().map(|x| x.to_bits()).collect()
-        };
-        if document.dimension == again.dimension {
-            assert_eq!(bits(&again), bits(&document), "{}: {format:?}", case.name);
-        }
-        if format != Format::Off {
-            assert_eq!(again.segments, document.segments, "{}: {format:?}", case.name);
-        }
-    }
-    formats.len()
-}
+pub(super) use alpha::of_alpha;
+pub(super) use plane::{of_agreement, of_crossings, of_files};
+pub(super) use predicates::{canary, of_predicates};
+pub(super) use queries::{of_plane_queries, of_queries};
+pub(super) use readers::{OF_READERS, file};
+pub(super) use steiner::{of_conforming, of_refinement};
+pub(super) use trees::of_trees;

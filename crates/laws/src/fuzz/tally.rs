@@ -3,9 +3,8 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
-use delone::workloads::Rng;
-
 use super::attempt::Broken;
+use super::hash::Hash;
 use super::target::{Input, Subject, Target};
 
 /// Which cases are a process's: those whose number is `part` modulo `parts`.
@@ -98,7 +97,7 @@ impl Tally {
     /// Runs the next case, which is `input`, under any subject.
     pub fn step_with(&mut self, input: &Input, subject: &mut impl Subject) {
         let (case, outcome) = (self.next(), subject.try_on(input));
-        let mut hash = Hash(0);
+        let mut hash = Hash::default();
         hash.take(case);
         hash.take(input.fingerprint());
         match outcome {
@@ -116,7 +115,7 @@ impl Tally {
                 self.findings.entry(bucket).or_insert(finding).seen += 1;
             }
         }
-        self.digest = self.digest.wrapping_add(hash.0);
+        self.digest = self.digest.wrapping_add(hash.value());
         self.executions += 1;
     }
 
@@ -170,19 +169,6 @@ impl Tally {
             }
             kept.seen = seen;
         }
-    }
-}
-
-/// A hash that chains numbers through the project's own generator.
-struct Hash(u64);
-
-impl Hash {
-    fn take(&mut self, word: u64) {
-        self.0 = Rng::new(self.0.rotate_left(23) ^ word).next_u64();
-    }
-
-    fn text(&mut self, text: &str) {
-        text.bytes().for_each(|byte| self.take(u64::from(byte)));
     }
 }
 

@@ -1,45 +1,44 @@
 //! What can be fuzzed: a generator, and the laws to try.
 
+use std::sync::Arc;
+
 use delone::workloads::{self, Points, Rng};
 
 use super::attempt::{Broken, attempt};
-use super::extra;
+use super::file::File;
+use super::hash::Hash;
 use crate::case::Case;
-use crate::choices::Choices;
-use crate::generate;
-use crate::laws::{Law, constrained_laws, delaunay_laws};
+use crate::choices::{Beside, Choices};
+use crate::corpus::Corpus;
+use crate::laws::Law;
 use crate::shrink::{Effort, shrink};
 
-/// A case of either dimension.
+/// A case of either dimension, or a file.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Input {
     /// In the plane.
     Plane(Case<2>),
     /// In space.
     Space(Case<3>),
-}
-
-/// Evaluates `$answer` with the case of either dimension, named `$case`.
-macro_rules! with_case {
-    ($input:expr, $case:ident => $answer:expr) => {
-        match $input {
-            Input::Plane($case) => $answer,
-            Input::Space($case) => $answer,
-        }
-    };
+    /// Any bytes.
+    File(File),
 }
 
 impl Input {
-    /// Its number of points.
+    /// Its number of points; of a file, of bytes.
     #[must_use]
     pub fn points(&self) -> usize {
-        with_case!(self, case => case.points.len())
+        match self {
+            Self::Plane(case) => case.points.len(),
+            Self::Space(case) => case.points.len(),
+            Self::File(file) => file.bytes.len(),
+        }
     }
 
     /// Its number of segments.
     #[must_use]
     pub fn segments(&self) -> usize {
-        with_case!(self, case => case.segments.len())
+        if let Self::Plane(case) = self { case.segments.len() } else { 0 }
     }
 
     /// A hash of its bits.
@@ -48,6 +47,12 @@ impl Input {
         let (points, segments) = match self {
             Self::Plane(case) => (Points::Plane(case.points.clone()), case.segments.clone()),
             Self::Space(case) => (Points::Space(case.points.clone()), Vec::new()),
+            Self::File(file) => {
+                let mut hash = Hash::default();
+                hash.text(&file.format.to_string());
+                hash.bytes(&file.bytes);
+                return hash.value();
+            }
         };
         workloads::Input { points, segments }.fingerprint()
     }
@@ -61,6 +66,9 @@ impl Input {
             }
             Self::Space(case) => {
                 Self::Space(shrink(case, effort, |case| fails(&Self::Space(case.clone()))))
+            }
+            Self::File(file) => {
+                Self::File(file.shrunk(effort, |file| fails(&Self::File(file.clone()))))
             }
         }
     }
@@ -82,13 +90,16 @@ pub struct Target {
     pub name: &'static str,
     /// What it tries, in a line.
     pub about: &'static str,
-    kind: Kind,
+    pub(super) kind: Kind,
+    /// What cases may take pieces of.
+    pub(super) corpus: Arc<Corpus>,
 }
 
 #[derive(Clone, Debug)]
-enum Kind {
+pub(super) enum Kind {
     Plane(fn(&mut dyn Choices) -> Case<2>, Vec<Law<2>>),
     Space(fn(&mut dyn Choices) -> Case<3>, Vec<Law<3>>),
+    File(fn(&mut dyn Choices) -> File, (&'static str, fn(&File) -> usize)),
 }
 
 impl Target {
@@ -98,6 +109,7 @@ impl Target {
         match &self.kind {
             Kind::Plane(draw, _) => Input::Plane(draw(choices)),
             Kind::Space(draw, _) => Input::Space(draw(choices)),
+            Kind::File(draw, _) => Input::File(draw(choices)),
         }
     }
 
@@ -105,8 +117,21 @@ impl Target {
     #[must_use]
     pub fn case(&self, seed: u64, k: u64) -> Input {
         // Both numbers through the generator: seeds 1 and 2 share no case, nor do targets.
-        let mixed = Rng::named(self.name, seed).next_u64();
-        self.chosen(&mut Rng::new(mixed.wrapping_add(Rng::new(k).next_u64())))
+        let mixed = Rng::named(self.name, seed).next_u64() ^ self.corpus.digest();
+        let rng = Rng::new(mixed.wrapping_add(Rng::new(k).next_u64()));
+        self.chosen(&mut Beside { rng, corpus: &self.corpus })
+    }
+
+    /// The same target, whose cases take pieces of a corpus: other cases, by its digest.
+    #[must_use]
+    pub fn with_corpus(self, corpus: Arc<Corpus>) -> Self {
+        Self { corpus, ..self }
+    }
+
+    /// What its cases take pieces of.
+    #[must_use]
+    pub fn corpus(&self) -> &Corpus {
+        &self.corpus
     }
 
     /// The names of its laws, in the order they are tried.
@@ -115,6 +140,7 @@ impl Target {
         match &self.kind {
             Kind::Plane(_, laws) => laws.iter().map(|law| law.name).collect(),
             Kind::Space(_, laws) => laws.iter().map(|law| law.name).collect(),
+            Kind::File(_, (law, _)) => vec![law],
         }
     }
 
@@ -125,8 +151,9 @@ impl Target {
         match &mut one.kind {
             Kind::Plane(_, laws) => laws.retain(|known| known.name == law),
             Kind::Space(_, laws) => laws.retain(|known| known.name == law),
+            Kind::File(..) => {}
         }
-        (!one.laws().is_empty()).then_some(one)
+        one.laws().contains(&law).then_some(one)
     }
 }
 
@@ -141,6 +168,9 @@ impl Subject for &Target {
         match (&self.kind, input) {
             (Kind::Plane(_, laws), Input::Plane(case)) => tried(laws, case),
             (Kind::Space(_, laws), Input::Space(case)) => tried(laws, case),
+            (Kind::File(_, (law, hold)), Input::File(file)) => {
+                Ok(vec![(law, attempt(law, || hold(file))?)])
+            }
             _ => Ok(Vec::new()),
         }
     }
@@ -154,7 +184,7 @@ fn tried<const D: usize>(
 }
 
 /// The name of the target that must fail.
-const CANARY: &str = "canary";
+pub(super) const CANARY: &str = "canary";
 
 impl Target {
     /// Whether this is the one that must fail.
@@ -162,52 +192,4 @@ impl Target {
     pub fn is_canary(&self) -> bool {
         self.name == CANARY
     }
-}
-
-/// All targets; the last is the canary, which must fail.
-#[must_use]
-pub fn targets() -> Vec<Target> {
-    let row = |name, about, kind| Target { name, about, kind };
-    let (plane, space) = (generate::points::<2>, generate::points::<3>);
-    vec![
-        row("delaunay-2d", "every law of point sets", Kind::Plane(plane, delaunay_laws())),
-        row("delaunay-3d", "every law of point sets", Kind::Space(space, delaunay_laws())),
-        row(
-            "cdt",
-            "every law of graphs whose segments do not cross",
-            Kind::Plane(generate::graph, constrained_laws()),
-        ),
-        row(
-            "agreement",
-            "one triangulation by all CDT algorithms, judged: a law of \"cdt\", alone and quicker",
-            Kind::Plane(generate::graph, extra::of_agreement()),
-        ),
-        row(
-            "crossings",
-            "segments that cross, every crossing a vertex",
-            Kind::Plane(generate::crossing, extra::of_crossings()),
-        ),
-        row(
-            "predicates-2d",
-            "signs beside those of numbers of any length",
-            Kind::Plane(plane, extra::of_predicates()),
-        ),
-        row(
-            "predicates-3d",
-            "signs beside those of numbers of any length",
-            Kind::Space(space, extra::of_predicates()),
-        ),
-        row(
-            "files",
-            "what is written is read again, bit for bit",
-            Kind::Plane(generate::crossing, extra::of_files()),
-        ),
-        row(CANARY, "must fail: that doubles are enough", Kind::Plane(plane, extra::canary())),
-    ]
-}
-
-/// The target of this name.
-#[must_use]
-pub fn target(name: &str) -> Option<Target> {
-    targets().into_iter().find(|target| target.name == name)
 }

@@ -1,9 +1,9 @@
 //! Point sets of the plane.
 
 use super::{Workload, plane};
-use crate::points2d::{circles, lattices, lines, range, repeats, scatter};
+use crate::points2d::{circles, lattices, lines, range, repeats, scatter, worst};
 
-pub(super) const ROWS: [Workload; 34] = [
+pub(super) const ROWS: [Workload; 39] = [
     plane("uniform", scatter::uniform, "uniform in the unit square"),
     plane("gauss", scatter::gauss, "a standard normal cloud"),
     plane("clusters", scatter::clusters, "about n^(1/4) normal clouds of very different width"),
@@ -79,4 +79,26 @@ pub(super) const ROWS: [Workload; 34] = [
     plane("duplicates", repeats::duplicates, "n draws with replacement of about n/4 sites"),
     plane("near-duplicates", repeats::near, "groups of four within three ULPs; some are equal"),
     plane("all-equal", repeats::all_equal, "the same site n times"),
+    plane(
+        "falling-sites",
+        worst::falling,
+        "a row, then sites falling towards it: in this order each insertion digs all triangles, n^2 in all",
+    ),
+    plane(
+        "shuttle",
+        worst::shuttle,
+        "a strip, then sites at its two ends by turns: in this order each walk crosses it, n^2 steps in all",
+    ),
+    plane(
+        "shuffled-column",
+        worst::column,
+        "high and narrow, x in random order: merges of halves left and right zip from end to end",
+    ),
+    plane(
+        "beach",
+        worst::beach,
+        "a row, then sites above it: a sweep has n/2 arcs on its beach line",
+    ),
+    plane("wheel", worst::wheel, "a hub among cocircular sites: a vertex of degree n - 1")
+        .rounding("n, at most 236,197"),
 ];

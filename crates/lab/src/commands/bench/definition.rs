@@ -23,6 +23,12 @@ pub(crate) struct Definition {
     /// How often each engine builds in one turn.
     #[serde(default = "times")]
     pub(crate) times: u32,
+    /// Seconds that one turn may take; who takes more has no turn on larger inputs of a workload.
+    #[serde(default = "limit")]
+    pub(crate) limit: f64,
+    /// Of a table, the names in it that are ours.
+    #[serde(default)]
+    pub(crate) ours: Vec<String>,
     #[serde(default, rename = "input")]
     pub(crate) inputs: Vec<Input>,
 }
@@ -33,6 +39,10 @@ fn rounds() -> u32 {
 
 fn times() -> u32 {
     2
+}
+
+fn limit() -> f64 {
+    120.0
 }
 
 /// What an engine is asked to do.

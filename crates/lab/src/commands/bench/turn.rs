@@ -4,13 +4,17 @@
 //! reading and writing; and if it likes `count NAME N`, `version TEXT`, `fingerprint HEX`. What else it prints is not read.
 
 use std::collections::BTreeMap;
+use std::fs::File;
+use std::io::{Read, Seek};
 use std::path::Path;
-use std::process::{Command, Stdio};
+use std::process::{Command, ExitStatus, Stdio};
+use std::time::Duration;
 
 use delone_check::Options;
 use delone_formats::Document;
 use delone_laws::foreign::judged;
 use delone_laws::fuzz::Input;
+use wait_timeout::ChildExt;
 
 use super::definition::{Engine, Task};
 use crate::commands::check;
@@ -37,6 +41,8 @@ pub(super) enum Fault {
     Refused(String),
     /// The judge, or the pinned answer, says that it is wrong.
     Wrong(String),
+    /// It took longer than a turn may.
+    Slow(String),
 }
 
 impl Fault {
@@ -45,12 +51,13 @@ impl Fault {
             Self::Absent(_) => "absent",
             Self::Refused(_) => "refused",
             Self::Wrong(_) => "WRONG",
+            Self::Slow(_) => "slow",
         }
     }
 
     pub(super) fn why(&self) -> &str {
         match self {
-            Self::Absent(why) | Self::Refused(why) | Self::Wrong(why) => why,
+            Self::Absent(why) | Self::Refused(why) | Self::Wrong(why) | Self::Slow(why) => why,
         }
     }
 }
@@ -72,6 +79,7 @@ pub(super) fn run(
     task: Task,
     files: &Files<'_>,
     times: u32,
+    limit: Duration,
 ) -> Result<Turn, Fault> {
     let this = std::env::current_exe().map_err(|error| Fault::Absent(error.to_string()))?;
     let absent = || Fault::Absent(engine.build.clone());
@@ -88,14 +96,42 @@ pub(super) fn run(
     let _ = std::fs::remove_file(files.written); // what an earlier one left is not this one's
     let mut command = Command::new(&words[0]);
     command.args(&words[1..]).stdin(Stdio::null());
-    let output = command.output().map_err(|_| absent())?;
-    let text = String::from_utf8_lossy(&output.stdout).into_owned();
-    if !output.status.success() {
-        let said = String::from_utf8_lossy(&output.stderr);
+    let (status, text, said) = ended(command, limit, absent)?;
+    if !status.success() {
         let last = said.lines().rfind(|line| !line.trim().is_empty()).unwrap_or("").to_owned();
-        return Err(Fault::Refused(format!("{}: {last}", output.status)));
+        return Err(Fault::Refused(format!("{status}: {last}")));
     }
     Ok(understood(text))
+}
+
+/// How a command ended, and what it printed; through files, so that no pipe is ever full.
+fn ended(
+    mut command: Command,
+    limit: Duration,
+    absent: impl Fn() -> Fault,
+) -> Result<(ExitStatus, String, String), Fault> {
+    let refused = |error: std::io::Error| Fault::Refused(error.to_string());
+    let [mut out, mut error] =
+        [tempfile::tempfile().map_err(refused)?, tempfile::tempfile().map_err(refused)?];
+    command.stdout(out.try_clone().map_err(refused)?);
+    command.stderr(error.try_clone().map_err(refused)?);
+    let mut child = command.spawn().map_err(|_| absent())?;
+    let Some(status) = child.wait_timeout(limit).map_err(refused)? else {
+        // It may have ended in between, which is as well.
+        let _ = child.kill();
+        let _ = child.wait();
+        return Err(Fault::Slow(format!("more than {} s", limit.as_secs_f64())));
+    };
+    if status.code().is_none() {
+        // What ended it may be an interruption that this program is told of as well, in a moment.
+        std::thread::sleep(Duration::from_millis(100));
+    }
+    let read = |file: &mut File| -> Result<String, Fault> {
+        let mut bytes = Vec::new();
+        file.rewind().and_then(|()| file.read_to_end(&mut bytes)).map_err(refused)?;
+        Ok(String::from_utf8_lossy(&bytes).into_owned())
+    };
+    Ok((status, read(&mut out)?, read(&mut error)?))
 }
 
 fn understood(text: String) -> Turn {
@@ -142,6 +178,7 @@ pub(super) fn verdict(
             let names = names.map_err(|failure| wrong(failure.to_string()))?;
             judged(&case, &named(output.tets.as_flattened(), &names), &Options::foreign())
         }
+        Input::File(_) => unreachable!("a document has points"),
     };
     outcome.map_err(|broken| wrong(format!("{}: {}", broken.place, broken.message)))
 }

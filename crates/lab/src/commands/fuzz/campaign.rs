@@ -3,11 +3,11 @@
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use delone_laws::fuzz::{Subject, Tally, Target};
+use delone_laws::fuzz::{Subject, Target};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use super::program::Program;
-use super::state;
+use super::state::{self, Timed};
 use crate::failure::Failure;
 use crate::watch;
 
@@ -24,38 +24,40 @@ pub(crate) struct Budget {
 const SAVED_EVERY: Duration = Duration::from_secs(5);
 
 /// Runs cases until the budget is used up or the user interrupts; saves the tally on the way and at the end if there is a
-/// folder for it. Returns the seconds that it took.
+/// folder for it.
 pub(crate) fn run(
     target: &Target,
-    tally: &mut Tally,
+    timed: &mut Timed,
     budget: Budget,
     program: &mut Option<Program>,
     state: Option<&Path>,
     quiet: bool,
-) -> Result<f64, Failure> {
+) -> Result<(), Failure> {
     let (start, mut saved) = (Instant::now(), Instant::now());
-    let share = budget.cases.map(|cases| tally.shard.share(cases));
+    let before = timed.seconds;
+    let share = budget.cases.map(|cases| timed.tally.shard.share(cases));
     let bar = bar(target.name, share, quiet);
-    while share.is_none_or(|share| tally.executions < share)
+    while share.is_none_or(|share| timed.tally.executions < share)
         && budget.seconds.is_none_or(|limit| start.elapsed() < limit)
-        && (!budget.first || tally.findings.is_empty())
+        && (!budget.first || timed.tally.findings.is_empty())
         && !watch::is_interrupted()
     {
+        let tally = &mut timed.tally;
         let input = target.case(tally.seed, tally.next());
         match program {
             Some(program) => tally.step_with(&input, program),
             None => tally.step_with(&input, &mut &*target),
         }
         bar.set_position(tally.executions);
+        timed.seconds = before + start.elapsed().as_secs_f64();
         if saved.elapsed() > SAVED_EVERY {
-            bar.set_message(format!("{}: {} failures", target.name, tally.findings.len()));
-            state.map_or(Ok(()), |folder| state::save(folder, tally))?;
+            bar.set_message(format!("{}: {} failures", target.name, timed.tally.findings.len()));
+            state.map_or(Ok(()), |folder| state::save(folder, timed))?;
             saved = Instant::now();
         }
     }
     bar.finish_and_clear();
-    state.map_or(Ok(()), |folder| state::save(folder, tally))?;
-    Ok(start.elapsed().as_secs_f64())
+    state.map_or(Ok(()), |folder| state::save(folder, timed))
 }
 
 fn bar(name: &str, cases: Option<u64>, quiet: bool) -> ProgressBar {

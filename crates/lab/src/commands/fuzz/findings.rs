@@ -8,6 +8,7 @@ use serde_json::{Value, json};
 
 use super::files;
 use super::program::Program;
+use crate::cli;
 use crate::failure::Failure;
 
 /// A failure with the small input that shows it.
@@ -86,10 +87,15 @@ impl Kept {
     }
 
     /// For people: what broke, where the input is, how to see it again.
-    pub(crate) fn text(&self, program: Option<&str>) -> String {
+    pub(crate) fn text(&self, arguments: &cli::Fuzz) -> String {
         let Broken { law, place, message } = &self.finding.broken;
         let said = message.lines().find(|line| !line.trim().is_empty()).unwrap_or("").trim();
-        let with = program.map_or_else(String::new, |command| format!(" --program '{command}'"));
+        let program = arguments.program.program.iter();
+        let corpus = arguments.corpus.iter();
+        let with: String = program
+            .map(|command| format!(" --program '{command}'"))
+            .chain(corpus.map(|folder| format!(" --corpus '{}'", folder.display())))
+            .collect();
         format!(
             "FAILED {}: {law} at {place}, in {} cases\n  {said}\n  smallest: {} ({} points, {} segments)\n  \
              again: delone fuzz {} --seed {} --case {}{with}\n",

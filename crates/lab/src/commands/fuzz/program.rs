@@ -12,7 +12,7 @@ use delone_laws::foreign::{is_solid, judged};
 use delone_laws::fuzz::{Broken, Input, Subject};
 use wait_timeout::ChildExt;
 
-use super::files::document;
+use super::files;
 use crate::cli;
 use crate::commands::check;
 use crate::failure::Failure;
@@ -66,7 +66,7 @@ impl Program {
         let ending = ending.unwrap_or(if case.segments.is_empty() { "node" } else { "poly" });
         let [given, written] = [("in", ending), ("out", &self.out_ending)]
             .map(|(name, ending)| self.folder.path().join(format!("{name}.{ending}")));
-        let mut document = document(input);
+        let mut document = files::document(input).expect("a case has points");
         output::document(&given, &document).map_err(|failure| broken("write", "input", failure))?;
         // What an earlier run left is not this one's.
         let _ = std::fs::remove_file(&written);
@@ -146,6 +146,7 @@ impl Subject for Program {
         let times = match input {
             Input::Plane(case) => self.judge(input, case)?,
             Input::Space(case) => self.judge(input, case)?,
+            Input::File(_) => 0,
         };
         Ok(vec![("judge", times)])
     }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use delone_draw::{Scene, Span, Step};
 use delone_mesh::Mesh;
-use delone_probe::Counts;
+use delone_probe::{Counts, Moment};
 
 use super::recording::Notes;
 use crate::pictures::{edges, outer};
@@ -51,6 +51,7 @@ pub(super) struct Film {
     constraints: Track<2>,
     ghosts: Track<2>,
     forced: Track<2>,
+    wires: Track<2>,
     steps: Vec<Step>,
     /// The edges of the Delaunay triangulation of all sites, once it is done.
     delaunay: Option<Vec<[u32; 2]>>,
@@ -67,6 +68,7 @@ impl Film {
             constraints: Track::new(),
             ghosts: Track::new(),
             forced: Track::new(),
+            wires: Track::new(),
             steps: vec![Step { title: "nothing yet".to_owned(), ..Step::default() }],
             delaunay: None,
             asked: 0,
@@ -88,14 +90,15 @@ impl Film {
         title: &str,
         mesh: &Mesh<2>,
         constraints: &[[u32; 2]],
-        marked: Vec<u32>,
+        marked: &[u32],
         counts: &Counts,
         notes: &Notes,
     ) {
-        let step = u32::try_from(self.steps.len()).expect("steps of an input of few sites");
-        let [went, came] = self.triangles.update(step, triangles(mesh).into_iter());
+        let step = self.now();
+        let changes = self.triangles.update(step, triangles(mesh).into_iter());
         self.constraints.update(step, constraints.iter().copied());
         self.ghosts.update(step, hull(mesh).into_iter());
+        self.wires.update(step, std::iter::empty());
         let known = self.delaunay.as_deref();
         let forced = known.map_or_else(Vec::new, |known| {
             let mut edges = edges(self.triangles.present.keys());
@@ -103,6 +106,45 @@ impl Film {
             edges
         });
         self.forced.update(step, forced.into_iter());
+        self.tell(title, "triangles", changes, marked, counts, notes);
+    }
+
+    /// The step to come.
+    fn now(&self) -> u32 {
+        u32::try_from(self.steps.len()).expect("steps of an input of few sites")
+    }
+
+    /// What an algorithm shows of its inside; edges on the sides of triangles are not told once more.
+    pub(super) fn moment(&mut self, moment: &Moment<'_>, counts: &Counts, notes: &Notes) {
+        let step = self.now();
+        let turned = moment.triangles.iter().map(|&triangle| smallest_first(triangle));
+        let changes = self.triangles.update(step, turned);
+        let sides = edges(self.triangles.present.keys());
+        let sorted = moment.edges.iter().map(|&[a, b]| [a.min(b), a.max(b)]);
+        let loose = sorted.filter(|edge| sides.binary_search(edge).is_err());
+        let wires = self.wires.update(step, loose);
+        let (changes, what) = if moment.triangles.is_empty() {
+            (wires, "loose edges")
+        } else {
+            (changes, "triangles")
+        };
+        self.tell(moment.title, what, changes, moment.marked, counts, notes);
+    }
+
+    /// These are there from the first step on.
+    pub(super) fn constraints(&mut self, edges: &[[u32; 2]]) {
+        self.constraints.update(0, edges.iter().copied());
+    }
+
+    fn tell(
+        &mut self,
+        title: &str,
+        what: &str,
+        [went, came]: [usize; 2],
+        marked: &[u32],
+        counts: &Counts,
+        notes: &Notes,
+    ) {
         let (asked, lines) = notes.take();
         self.asked += asked;
         let done: Vec<String> = counts
@@ -115,8 +157,10 @@ impl Film {
         if asked > lines.len() as u64 {
             detail.push_str(&format!("\nand {} more questions", asked - lines.len() as u64));
         }
-        let title = format!("{title}: {went} triangles go, {came} come, {asked} questions");
-        self.steps.push(Step { title, detail: detail.trim().to_owned(), marked });
+        let asked = if asked > 0 { format!(", {asked} questions") } else { String::new() };
+        let title = format!("{title}: {went} {what} go, {came} come{asked}");
+        let detail = detail.trim().to_owned();
+        self.steps.push(Step { title, detail, marked: marked.to_vec() });
     }
 
     pub(super) fn scene(self) -> Scene {
@@ -126,6 +170,7 @@ impl Film {
             constraints: self.constraints.spans(),
             ghosts: self.ghosts.spans(),
             forced: self.forced.spans(),
+            wires: self.wires.spans(),
             steps: self.steps,
         }
     }
@@ -140,12 +185,13 @@ fn triangles(mesh: &Mesh<2>) -> Vec<[u32; 3]> {
         let ids: Vec<u32> = mesh.corners(cell).iter().map(|v| id(v.index())).collect();
         [ids[0], ids[1], ids[2]]
     });
-    let turned = |mut t: [u32; 3]| {
-        let first = (0..3).min_by_key(|&i| t[i]).unwrap_or(0);
-        t.rotate_left(first);
-        t
-    };
-    corners.map(turned).collect()
+    corners.map(smallest_first).collect()
+}
+
+fn smallest_first(mut triangle: [u32; 3]) -> [u32; 3] {
+    let first = (0..3).min_by_key(|&i| triangle[i]).unwrap_or(0);
+    triangle.rotate_left(first);
+    triangle
 }
 
 /// The edges of the hull, counter-clockwise.

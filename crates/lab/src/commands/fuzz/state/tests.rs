@@ -1,6 +1,6 @@
 use delone_laws::fuzz::{Shard, Tally, target};
 
-use super::{load, load_all, path, save};
+use super::{Timed, load, load_all, path, save};
 
 #[test]
 fn a_tally_is_read_as_it_was_written() {
@@ -9,10 +9,11 @@ fn a_tally_is_read_as_it_was_written() {
     let mut tally = Tally::new(&canary, 5, shard);
     (0..100).for_each(|_| tally.step(&canary));
     assert!(!tally.findings.is_empty());
-    save(folder.path(), &tally).unwrap();
+    let timed = Timed { tally, seconds: 0.25 };
+    save(folder.path(), &timed).unwrap();
     let file = path(folder.path(), "canary", 5, shard);
-    assert_eq!(load(&file).unwrap(), tally);
-    assert_eq!(load_all(folder.path()).unwrap(), vec![vec![tally]]);
+    assert_eq!(load(&file).unwrap(), timed);
+    assert_eq!(load_all(folder.path()).unwrap(), vec![vec![timed]]);
 }
 
 #[test]

@@ -1,0 +1,116 @@
+//! Laws of triangulations with Steiner points: the judge accepts them, and the order of input leaves no trace.
+
+use delone::Pslg;
+use delone::cdt::Fill;
+use delone::check::{Conformed, Level, Options, Promise, SteinerPoint, judge_conforming};
+use delone::conforming::{
+    ConformOptions, Conforming, Limits, RefineOptions, Refined, SteinerPoint as Added, methods,
+    refine,
+};
+use delone::mesh::CellId;
+use delone::predicates::{Dyadic, Homogeneous, Metric, Sign};
+
+use crate::case::Case;
+use crate::id;
+use crate::judge::solid_cells;
+use crate::laws::Law;
+
+/// Few enough to be quick; gaps of one unit in the last place would take any number.
+const LIMITS: Limits = Limits { vertices_max: 40 };
+
+/// Every method's result is what it promises.
+pub(in crate::fuzz) fn of_conforming() -> Vec<Law<2>> {
+    vec![Law { name: "conforming", hold: conforming }]
+}
+
+fn conforming(case: &Case<2>) -> usize {
+    let (pslg, options) = (case.pslg(), ConformOptions { limits: LIMITS, ..Default::default() });
+    let shuffled = case.shuffled(1).pslg();
+    for method in methods() {
+        let result = (method.run)(&pslg, &options, &mut ());
+        let promise = match (result.is_complete(), method.empties_disks) {
+            (false, _) => Promise::Constrained,
+            (true, false) => Promise::Conforming,
+            (true, true) => Promise::EmptyDisks,
+        };
+        accept(case, &pslg, &result, promise);
+        if result.is_complete() {
+            let other = (method.run)(&shuffled, &options, &mut ());
+            let prints = [&result, &other].map(Conforming::fingerprint);
+            assert_eq!(prints[0], prints[1], "{}: {}, shuffled", case.name, method.name);
+        }
+    }
+    methods().len()
+}
+
+fn accept(case: &Case<2>, pslg: &Pslg, result: &Conforming, promise: Promise) {
+    if result.mesh().dimension() != Some(2) {
+        assert!(result.steiner_points().is_empty(), "{}: points in a flat", case.name);
+        return;
+    }
+    let count = result.positions().len();
+    let on = result.steiner_points().iter().enumerate().map(|(i, point)| match point {
+        Added::On { ends, t, .. } => {
+            SteinerPoint::On { ends: *ends, mantissa: t.mantissa(), exponent: t.exponent() }
+        }
+        Added::Free => SteinerPoint::At(result.positions()[result.site_count() + i]),
+    });
+    let conformed = Conformed {
+        points: pslg.sites().points(),
+        steiner: &on.collect::<Vec<_>>(),
+        cells: &solid_cells(result.mesh(), &(0..id(count)).collect::<Vec<_>>()),
+        segments: pslg.segments(),
+        constrained: result.constrained_edges(),
+        promise,
+    };
+    let verdict = judge_conforming(&conformed, &Options::default());
+    let level =
+        if promise == Promise::Constrained { Level::Constrained } else { Level::Conforming };
+    assert!(verdict.ok && verdict.level == level, "{}, {promise:?}: {verdict}", case.name);
+}
+
+/// What refinement leaves is a constrained Delaunay triangulation without small angles inside.
+pub(in crate::fuzz) fn of_refinement() -> Vec<Law<2>> {
+    vec![Law { name: "refinement", hold: refinement }]
+}
+
+fn refinement(case: &Case<2>) -> usize {
+    let (pslg, options) = (case.pslg(), RefineOptions { limits: LIMITS, ..Default::default() });
+    let fills = [Fill::Hull, Fill::Exterior];
+    for fill in &fills {
+        let refined = refine(&pslg, fill, &options, &mut ()).expect("these rules always apply");
+        let result = refined.triangulation();
+        accept(case, &pslg, result, Promise::Constrained);
+        if refined.is_complete() {
+            let left = |cell| refined.left_alone().iter().any(|left| left.cell == cell);
+            for cell in refined.cells().filter(|&cell| !left(cell)) {
+                assert!(!has_small_angle(&refined, cell), "{}: {cell:?} is skinny", case.name);
+            }
+        }
+    }
+    fills.len()
+}
+
+/// Whether an angle is certainly less than 20.7 degrees: its cosine's square is more than 0.8751, in exact numbers.
+fn has_small_angle(refined: &Refined, cell: CellId) -> bool {
+    let kernel = refined.triangulation().kernel();
+    let corners = refined.triangulation().mesh().corners(cell);
+    let at = |i: usize| -> Homogeneous<Dyadic, 2> { kernel.exact_point(corners[i % 3]) };
+    (0..3).any(|i| {
+        let (o, p, q) = (at(i), at(i + 1), at(i + 2));
+        let (u, v) = (between(&o, &p), between(&o, &q));
+        let cosine = dot(&u, &v);
+        let squares = dot(&u, &u) * &dot(&v, &v) * &Dyadic::from(8751);
+        let excess = cosine.clone() * &cosine * &Dyadic::from(10_000) - &squares;
+        cosine.sign() == Sign::Positive && excess.sign() == Sign::Positive
+    })
+}
+
+/// A positive multiple of the vector between two points.
+fn between(from: &Homogeneous<Dyadic, 2>, to: &Homogeneous<Dyadic, 2>) -> [Dyadic; 2] {
+    std::array::from_fn(|axis| to.x[axis].clone() * &from.w - &(from.x[axis].clone() * &to.w))
+}
+
+fn dot(u: &[Dyadic; 2], v: &[Dyadic; 2]) -> Dyadic {
+    u[0].clone() * &v[0] + &(u[1].clone() * &v[1])
+}

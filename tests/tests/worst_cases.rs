@@ -1,0 +1,105 @@
+//! The worst cases that workloads promise, counted: what twice the sites cost, in the order given and in ours.
+
+use delone::delaunay::{Options, Order, algorithms, delaunay};
+use delone::probe::Counts;
+use delone::workloads::{Points, find};
+use delone::{Pslg, Sites};
+
+fn sites(name: &str, n: usize) -> Sites<2> {
+    match find(name).expect("a workload").generate(n, 1).points {
+        Points::Plane(points) => Sites::new(&points).expect("finite"),
+        Points::Space(_) => panic!("{name} is in the plane"),
+    }
+}
+
+fn counts(name: &str, n: usize, algorithm: &str, order: Order) -> Counts {
+    let all = algorithms::<2>();
+    let algorithm = all.iter().find(|known| known.name == algorithm).expect("an algorithm");
+    let mut counts = Counts::default();
+    let options = Options { order, ..Options::default() };
+    let _mesh = (algorithm.run_with)(&sites(name, n), &options, &mut counts);
+    counts
+}
+
+/// How much more twice as many sites cost.
+fn growth(of: impl Fn(usize) -> u64) -> f64 {
+    let [few, many] = [400, 800].map(|n| f64::from(u32::try_from(of(n)).expect("a small count")));
+    many / few
+}
+
+#[test]
+fn falling_sites_dig_everything_in_the_order_given() {
+    for algorithm in ["bowyer-watson", "flips"] {
+        let cost = |order| {
+            growth(|n| {
+                let counts = counts("falling-sites", n, algorithm, order);
+                counts.cells_made + counts.flips
+            })
+        };
+        assert!(cost(Order::AsGiven) > 3.8, "{algorithm}: {}", cost(Order::AsGiven));
+        assert!(cost(Order::Brio) < 2.5, "{algorithm}: {}", cost(Order::Brio));
+    }
+}
+
+#[test]
+fn a_shuttle_walks_to_and_fro_in_the_order_given() {
+    let cost = |order| growth(|n| counts("shuttle", n, "bowyer-watson", order).walk_steps);
+    assert!(cost(Order::AsGiven) > 3.6, "{}", cost(Order::AsGiven));
+    assert!(cost(Order::Brio) < 2.8, "{}", cost(Order::Brio));
+}
+
+/// Strips without horizontal cuts would make cells at each of log n levels; by turns it is half of them, and still the most there is.
+#[test]
+fn a_shuffled_column_is_the_worst_of_merges() {
+    let made = |name| counts(name, 2000, "divide-conquer", Order::Brio).cells_made;
+    assert!(
+        made("shuffled-column") > 2 * made("uniform"),
+        "{} {}",
+        made("shuffled-column"),
+        made("uniform")
+    );
+}
+
+#[test]
+fn a_beach_has_half_of_the_sites_on_its_line() {
+    let steps = |name| counts(name, 2000, "sweep", Order::Brio).circle_events;
+    assert!(steps("beach") > steps("uniform"), "{} {}", steps("beach"), steps("uniform"));
+}
+
+#[test]
+fn a_wheel_has_a_hub() {
+    let sites = sites("wheel", 500);
+    let cells = delaunay(&sites, &Options::default(), &mut ()).canonical();
+    let hub = cells.chunks(3).filter(|cell| cell.contains(&0)).count();
+    assert_eq!((hub, cells.len() / 3), (499, 499), "every triangle is at the hub");
+}
+
+#[test]
+fn lines_and_curves_of_space_have_quadratically_many_cells() {
+    for (name, least) in [("skew-lines", 15 * 15), ("moment-curve", 15 * 28)] {
+        let Points::Space(points) = find(name).unwrap().generate(32, 1).points else { panic!() };
+        let sites = Sites::new(&points).unwrap();
+        let cells = delaunay(&sites, &Options::default(), &mut ()).cells().count();
+        assert!(cells >= least, "{name}: {cells}");
+    }
+}
+
+/// Segments of a ladder, one by one, cross quadratically many edges; Chew's algorithm meets none of them.
+#[test]
+fn a_ladder_is_quadratic_for_insertion_alone() {
+    let cost = |name: &str| {
+        growth(|n| {
+            let input = find("ladder").unwrap().generate(n, 1);
+            let segments: Vec<[usize; 2]> =
+                input.segments.iter().map(|ends| ends.map(|v| v as usize)).collect();
+            let pslg = Pslg::new(input.points.plane().unwrap(), &segments).unwrap();
+            let all = delone::cdt::algorithms();
+            let algorithm = all.iter().find(|known| known.name == name).unwrap();
+            let mut counts = Counts::default();
+            let _cdt = (algorithm.run_with)(&pslg, &Options::default(), &mut counts);
+            counts.edges_crossed + counts.orients
+        })
+    };
+    assert!(cost("cavity") > 3.0 && cost("flips") > 3.0, "{} {}", cost("cavity"), cost("flips"));
+    assert!(cost("chew") < 2.6, "{}", cost("chew"));
+}
