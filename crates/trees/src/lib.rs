@@ -40,28 +40,35 @@
 
 mod bintree;
 mod cell;
+mod chain;
 mod codes;
 mod colour;
 mod fault;
 mod frame;
+mod grow;
 mod measure;
+mod nudge;
 mod order;
 mod orth;
 mod raster;
 mod sets;
 mod shape;
+mod solid;
 #[cfg(test)]
 mod testing;
 mod writer;
 
 pub use bintree::{BinNode, BinTree};
 pub use cell::{Cell, DEPTH_MAX};
+pub use chain::BoundaryFault;
 pub use codes::Bits;
 pub use colour::Colour;
 pub use fault::CodeFault;
 pub use frame::{Frame, FrameFault};
+pub use grow::LeafRule;
 pub use measure::{Components, Joined};
 pub use order::{Quadrant, SonOrder};
 pub use orth::{Counts, OrthTree};
 pub use raster::{RASTER_BITS_MAX, Raster};
-pub use shape::{LeafRule, Rule, Shape, ShapeFault};
+pub use shape::{Rule, Shape, ShapeFault};
+pub use solid::{Solid, SolidFault};

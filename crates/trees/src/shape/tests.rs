@@ -1,7 +1,7 @@
 use delone_predicates::{Dyadic, Sign, orient2d};
 use proptest::prelude::*;
 
-use super::Edge;
+use super::edge::Edge;
 use crate::{Cell, Colour, Frame, LeafRule, OrthTree, Rule, Shape, ShapeFault};
 
 type Int = i128;
