@@ -14,12 +14,18 @@ pub(crate) struct Tree {
 
 #[derive(Subcommand)]
 pub(crate) enum TreeAction {
-    /// The quadtree of what is inside the segments of an input
+    /// The quadtree of what is inside the segments of an input, or the octree of what is inside its faces
     Build(Build),
-    /// Numbers of a quadtree given by its depth-first expression
+    /// Numbers of a tree given by its depth-first expression
     Stats(Stats),
-    /// Another code of a quadtree given by its depth-first expression
+    /// Another code of a tree given by its depth-first expression
     Encode(Encode),
+    /// Union, intersection or difference of two trees given by their depth-first expressions
+    Op(Operate),
+    /// Draw a tree with the cells that it stands for, as SVG
+    Figure(Figure),
+    /// How trees grow from depth to depth
+    Growth(Growth),
 }
 
 #[derive(Args)]
@@ -46,6 +52,9 @@ pub(crate) struct Build {
 pub(crate) struct Stats {
     /// A file with a depth-first expression: ( W B, sons in Morton's order
     pub(crate) code: PathBuf,
+    /// What tree it is of
+    #[arg(long, value_enum, default_value_t = Kind::Quad)]
+    pub(crate) kind: Kind,
     #[command(flatten)]
     pub(crate) voice: Voice,
 }
@@ -60,9 +69,106 @@ pub(crate) struct Encode {
     /// The order of sons in the depth-first expression
     #[arg(long, value_enum, default_value_t = SonsIn::Morton)]
     pub(crate) order: SonsIn,
+    /// What tree it is of
+    #[arg(long, value_enum, default_value_t = Kind::Quad)]
+    pub(crate) kind: Kind,
     /// Write to this file instead of standard output
     #[arg(long, short, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
+}
+
+#[derive(Args)]
+pub(crate) struct Operate {
+    /// What to do with them
+    #[arg(value_enum)]
+    pub(crate) operation: SetOperation,
+    /// A file with a depth-first expression: ( W B, sons in Morton's order
+    pub(crate) first: PathBuf,
+    /// Another one, over the same root
+    pub(crate) second: PathBuf,
+    /// What trees they are of
+    #[arg(long, value_enum, default_value_t = Kind::Quad)]
+    pub(crate) kind: Kind,
+    /// Write to this file instead of standard output
+    #[arg(long, short, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+}
+
+#[derive(Args)]
+pub(crate) struct Figure {
+    /// What to draw
+    #[arg(value_enum)]
+    pub(crate) figure: Drawn,
+    #[command(flatten)]
+    pub(crate) source: Source,
+    /// The level m of the smallest cells: the resolution is the square's side by 2^m
+    #[arg(long, default_value_t = 4, value_parser = clap::value_parser!(u8).range(0..=31))]
+    pub(crate) depth: u8,
+    /// What the smallest cells become that the boundary passes through
+    #[arg(long, value_enum, default_value_t = Leaves::Centre)]
+    pub(crate) rule: Leaves,
+    /// Which winding numbers are inside
+    #[arg(long, value_enum, default_value_t = Inside::EvenOdd)]
+    pub(crate) inside: Inside,
+    /// The order of sons
+    #[arg(long, value_enum, default_value_t = SonsIn::Nw)]
+    pub(crate) order: SonsIn,
+    /// Write to this file instead of standard output
+    #[arg(long, short, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+}
+
+#[derive(Args)]
+pub(crate) struct Growth {
+    #[command(flatten)]
+    pub(crate) source: Source,
+    /// The first depth
+    #[arg(long, default_value_t = 4, value_parser = clap::value_parser!(u8).range(0..=31))]
+    pub(crate) from: u8,
+    /// The last depth
+    #[arg(long, default_value_t = 12, value_parser = clap::value_parser!(u8).range(0..=31))]
+    pub(crate) to: u8,
+    /// What the smallest cells become that the boundary passes through
+    #[arg(long, value_enum, default_value_t = Leaves::Centre)]
+    pub(crate) rule: Leaves,
+    /// Which winding numbers are inside
+    #[arg(long, value_enum, default_value_t = Inside::EvenOdd)]
+    pub(crate) inside: Inside,
+    #[command(flatten)]
+    pub(crate) voice: Voice,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+pub(crate) enum Kind {
+    /// A quadtree
+    Quad,
+    /// An octree
+    Oct,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+pub(crate) enum SetOperation {
+    /// What is in either
+    Union,
+    /// What is in both
+    Intersection,
+    /// What is in the first only
+    Difference,
+    /// What is in one of them only
+    Xor,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+pub(crate) enum Drawn {
+    /// An object of the plane, its labelled quadtree, the order of sons, the code
+    #[value(alias = "1")]
+    Labelled,
+    /// The quadtree and the bin-tree of an object of the plane
+    #[value(alias = "2")]
+    Bintree,
+    /// A cell cut into eight, and the octree of a solid
+    #[value(alias = "3")]
+    Octree,
 }
 
 #[derive(Clone, Copy, ValueEnum)]

@@ -7,7 +7,7 @@ use super::extra;
 use crate::case::Case;
 use crate::choices::Choices;
 use crate::generate;
-use crate::laws::{Law, constrained_laws, delaunay_laws};
+use crate::laws::{Law, constrained_laws, delaunay_laws, octree_laws, quadtree_laws};
 use crate::shrink::{Effort, shrink};
 
 /// A case of either dimension.
@@ -202,6 +202,12 @@ pub fn targets() -> Vec<Target> {
             "what is written is read again, bit for bit",
             Kind::Plane(generate::crossing, extra::of_files()),
         ),
+        row(
+            "trees-2d",
+            "every law of quadtrees, of what is inside a walk through segments",
+            Kind::Plane(generate::crossing, quadtree_laws()),
+        ),
+        row("trees-3d", "every law of octrees, of tetrahedra", Kind::Space(space, octree_laws())),
         row(CANARY, "must fail: that doubles are enough", Kind::Plane(plane, extra::canary())),
     ]
 }
