@@ -39,6 +39,7 @@
 //! **Not here.** Trees of solids from their surface, trees of points and of line maps, balance, boundary polygons.
 
 mod bintree;
+mod boundary;
 mod cell;
 mod chain;
 mod codes;
@@ -46,6 +47,8 @@ mod colour;
 mod fault;
 mod frame;
 mod grow;
+mod key;
+mod leaves;
 mod measure;
 mod nudge;
 mod order;
@@ -66,6 +69,8 @@ pub use colour::Colour;
 pub use fault::CodeFault;
 pub use frame::{Frame, FrameFault};
 pub use grow::LeafRule;
+pub use key::Key;
+pub use leaves::{Leaves, Triangles, TrianglesFault};
 pub use measure::{Components, Joined};
 pub use order::{Quadrant, SonOrder};
 pub use orth::{Counts, OrthTree};

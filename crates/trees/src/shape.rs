@@ -1,6 +1,7 @@
 //! Shapes of the plane given by their boundary.
 
 mod edge;
+mod share;
 
 use crate::chain::{BoundaryFault, placed, summed};
 use crate::grow::{decide, grow};
@@ -88,6 +89,25 @@ impl Shape {
     #[must_use]
     pub fn tree(&self, frame: &Frame<2>, rule: LeafRule) -> OrthTree<2> {
         grow(&self.edges, self.rule, frame, decide(rule, self.rule, frame))
+    }
+
+    /// The quadtree of the shape in a frame, down to its depth, where a smallest cell through which the boundary passes is black if at
+    /// least half of it is inside, exactly.
+    ///
+    /// ```
+    /// use delone_trees::{Rule, Shape};
+    ///
+    /// let points = [[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]];
+    /// let triangle = Shape::new(&points, &[[0, 1], [1, 2], [2, 0]], Rule::EvenOdd)?;
+    /// let tree = triangle.tree_by_area(&triangle.frame(2)?);
+    /// assert_eq!(tree.volume(2), Some(10)); // four cells are half inside
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn tree_by_area(&self, frame: &Frame<2>) -> OrthTree<2> {
+        grow(&self.edges, self.rule, frame, |held, winding, cell| {
+            share::is_half_inside(held, self.rule, winding, frame.corners(cell))
+        })
     }
 }
 
