@@ -19,8 +19,8 @@ pub(crate) use bench::{Bench, BenchAction, Engine};
 pub(crate) use fuzz::{Fuzz, Program, Shrink};
 pub(crate) use replay::Replay;
 pub(crate) use tree::{
-    Build, Code, Drawn, Encode, Figure, Growth, Inside, Kind, Leaves, Operate, SetOperation,
-    SonsIn, Stats, Tree, TreeAction,
+    Build, By, Code, Divide, Drawn, Encode, Export, Figure, Growth, Inside, Kind, Leaves, Operate,
+    Part, SetOperation, SonsIn, Stats, Tree, TreeAction,
 };
 
 pub(crate) use alpha::{Alpha, Asked, Mode};

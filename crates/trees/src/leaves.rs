@@ -53,6 +53,11 @@ impl<const N: usize> OrthTree<N> {
 }
 
 impl<const N: usize> Leaves<N> {
+    /// Keys that cover the root, in Morton's order.
+    pub(crate) fn new(keys: Vec<Key<N>>, black: Vec<bool>) -> Self {
+        Self { keys, black }
+    }
+
     /// How many.
     #[must_use]
     pub fn len(&self) -> usize {

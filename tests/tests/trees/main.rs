@@ -2,7 +2,8 @@
 
 mod files;
 
-use delone::trees::{Joined, LeafRule, OrthTree, Raster, Rule, Solid};
+use delone::check::{Complex, Options, judge_delaunay};
+use delone::trees::{Joined, LeafRule, OrthTree, Raster, Rule, Shape, Solid};
 use delone::workloads::Rng;
 use delone_tests::case::Case;
 use delone_tests::corpus::{Size, graphs, space};
@@ -53,7 +54,7 @@ fn quadtrees_of_shapes() {
 }
 
 fn is_closed(drawn: &Drawn<'_>) -> bool {
-    delone::trees::Shape::new(drawn.points, drawn.segments, drawn.rule).is_ok()
+    Shape::new(drawn.points, drawn.segments, drawn.rule).is_ok()
 }
 
 /// Noise of two sizes, from sparse to dense.
@@ -112,4 +113,29 @@ fn hold_in_space(trees: &[OrthTree<3>; 3]) {
     codes(trees);
     algebra(trees);
     components(trees);
+}
+
+/// The judge proves what templates make: a Delaunay triangulation, ties broken somehow.
+#[test]
+fn balanced_quadtrees_are_delaunay_triangulations() {
+    for (name, depth) in [("coast", 7), ("comb", 6), ("star-polygon", 6)] {
+        let input = delone::workloads::generate(name, 120, 7).expect("there is such a workload");
+        let points = input.points.plane().expect("it is of the plane").to_vec();
+        let segments: Vec<[usize; 2]> =
+            input.segments.iter().map(|ends| ends.map(|v| v as usize)).collect();
+        let shape = Shape::new(&points, &segments, Rule::EvenOdd).expect("it is closed");
+        let frame = shape.frame(depth).expect("doubles hold it");
+        for joined in [Joined::ByFacets, Joined::AtCorners] {
+            let leaves = shape.tree(&frame, LeafRule::Outer).leaves().balanced(joined);
+            let mesh = leaves.triangles(&frame).expect("it is balanced");
+            let complex = Complex {
+                points: &mesh.points,
+                dimension: Some(2),
+                cells: mesh.triangles.as_flattened(),
+            };
+            let verdict = judge_delaunay(&complex, &Options::foreign());
+            assert!(verdict.ok, "{name}: {verdict}");
+            say(format!("{name}: {} triangles", mesh.triangles.len()));
+        }
+    }
 }

@@ -24,6 +24,12 @@ pub(crate) enum TreeAction {
     Op(Operate),
     /// Draw a tree with the cells that it stands for, as SVG
     Figure(Figure),
+    /// The boundary of a quadtree as segments, black on the left
+    Polygons(Export),
+    /// A balanced quadtree as triangles with angles from 26.5 to 90 degrees
+    Mesh(Export),
+    /// Cut the plane until cells are simple: a PR quadtree of points, a PM quadtree of points and segments
+    Divide(Divide),
     /// How trees grow from depth to depth
     Growth(Growth),
 }
@@ -119,6 +125,69 @@ pub(crate) struct Figure {
 }
 
 #[derive(Args)]
+pub(crate) struct Export {
+    #[command(flatten)]
+    pub(crate) source: Source,
+    /// The level m of the smallest cells: the resolution is the square's side by 2^m
+    #[arg(long, default_value_t = 6, value_parser = clap::value_parser!(u8).range(0..=31))]
+    pub(crate) depth: u8,
+    /// What the smallest cells become that the boundary passes through
+    #[arg(long, value_enum, default_value_t = Leaves::Centre)]
+    pub(crate) rule: Leaves,
+    /// Which winding numbers are inside
+    #[arg(long, value_enum, default_value_t = Inside::EvenOdd)]
+    pub(crate) inside: Inside,
+    /// Which cells are triangulated, or bounded
+    #[arg(long, value_enum, default_value_t = Part::Black)]
+    pub(crate) part: Part,
+    /// Write to this file, in the format of its ending
+    #[arg(long, short, value_name = "FILE")]
+    pub(crate) output: PathBuf,
+    #[command(flatten)]
+    pub(crate) voice: Voice,
+}
+
+#[derive(Args)]
+pub(crate) struct Divide {
+    #[command(flatten)]
+    pub(crate) source: Source,
+    /// When a cell is simple
+    #[arg(long, value_enum, default_value_t = By::Pm1)]
+    pub(crate) by: By,
+    /// How many points a cell of a PR quadtree may hold
+    #[arg(long, default_value_t = 1)]
+    pub(crate) capacity: usize,
+    /// The level of the smallest cells
+    #[arg(long, default_value_t = 16, value_parser = clap::value_parser!(u8).range(0..=31))]
+    pub(crate) depth: u8,
+    /// Draw the cells, as SVG
+    #[arg(long, value_name = "FILE")]
+    pub(crate) svg: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) voice: Voice,
+}
+
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+pub(crate) enum Part {
+    /// Black ones
+    Black,
+    /// All of the square
+    All,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+pub(crate) enum By {
+    /// At most so many points
+    Pr,
+    /// One vertex with edges of its own, or no vertex and at most one edge
+    Pm1,
+    /// One vertex with edges of its own, or no vertex and edges that have a common one
+    Pm2,
+    /// At most one vertex
+    Pm3,
+}
+
+#[derive(Args)]
 pub(crate) struct Growth {
     #[command(flatten)]
     pub(crate) source: Source,
@@ -179,6 +248,8 @@ pub(crate) enum Leaves {
     Outer,
     /// As their centre is
     Centre,
+    /// Black if at least half of them is inside, exactly; in the plane
+    Area,
 }
 
 #[derive(Clone, Copy, ValueEnum)]

@@ -3,6 +3,8 @@
 mod boundary;
 mod build;
 mod codes;
+mod divide;
+mod export;
 mod figures;
 mod growth;
 mod numbers;
@@ -17,6 +19,9 @@ pub(crate) fn tree(arguments: &Tree) -> Result<(), Failure> {
         TreeAction::Encode(arguments) => codes::encode(arguments),
         TreeAction::Op(arguments) => codes::operate(arguments),
         TreeAction::Figure(arguments) => figures::figure(arguments),
+        TreeAction::Polygons(arguments) => export::polygons(arguments),
+        TreeAction::Mesh(arguments) => export::mesh(arguments),
+        TreeAction::Divide(arguments) => divide::divide(arguments),
         TreeAction::Growth(arguments) => growth::growth(arguments),
     }
 }

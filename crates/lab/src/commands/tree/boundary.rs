@@ -46,17 +46,20 @@ impl Boundary {
     }
 
     pub(super) fn tree(&self, depth: u8, leaves: Leaves) -> Result<Grown, Failure> {
-        let leaves = rule_of_leaves(leaves);
-        Ok(match self {
+        let rule = rule_of_leaves(leaves);
+        match self {
             Self::Plane(shape) => {
                 let frame = shape.frame(depth).map_err(Failure::input)?;
-                Grown::Plane(shape.tree(&frame, leaves), frame)
+                let tree = rule
+                    .map_or_else(|| shape.tree_by_area(&frame), |rule| shape.tree(&frame, rule));
+                Ok(Grown::Plane(tree, frame))
             }
             Self::Space(solid) => {
                 let frame = solid.frame(depth).map_err(Failure::input)?;
-                Grown::Space(solid.tree(&frame, leaves), frame)
+                let rule = rule.ok_or_else(|| Failure::input("--rule area is for the plane"))?;
+                Ok(Grown::Space(solid.tree(&frame, rule), frame))
             }
-        })
+        }
     }
 }
 
@@ -100,10 +103,12 @@ fn rule(inside: Inside) -> Rule {
     }
 }
 
-fn rule_of_leaves(rule: Leaves) -> LeafRule {
+/// None for the rule of area.
+fn rule_of_leaves(rule: Leaves) -> Option<LeafRule> {
     match rule {
-        Leaves::Inner => LeafRule::Inner,
-        Leaves::Outer => LeafRule::Outer,
-        Leaves::Centre => LeafRule::Centre,
+        Leaves::Inner => Some(LeafRule::Inner),
+        Leaves::Outer => Some(LeafRule::Outer),
+        Leaves::Centre => Some(LeafRule::Centre),
+        Leaves::Area => None,
     }
 }

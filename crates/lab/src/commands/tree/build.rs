@@ -15,9 +15,6 @@ pub(super) fn build(arguments: &Build) -> Result<(), Failure> {
         if let Some(path) = &arguments.output {
             output::text(path, &(tree.to_text() + "\n"))?;
         }
-        if arguments.voice.quiet {
-            return Ok(());
-        }
         let mut object = numbers(tree, arguments.depth);
         place(&mut object, frame);
         tell(&object, arguments.voice.json);

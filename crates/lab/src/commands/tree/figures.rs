@@ -30,7 +30,7 @@ pub(super) fn figure(arguments: &Figure) -> Result<(), Failure> {
 }
 
 /// The input's segments in the unit square.
-fn outline(document: &Document, frame: &Frame<2>) -> Vec<[[f64; 2]; 2]> {
+pub(super) fn outline(document: &Document, frame: &Frame<2>) -> Vec<[[f64; 2]; 2]> {
     let points = document.points.as_chunks::<2>().0;
     let place = |v: usize| {
         std::array::from_fn(|axis| (points[v][axis] - frame.corner()[axis]) / frame.side())
@@ -52,7 +52,7 @@ fn scaled<const N: usize>(cell: Cell<N>) -> ([f64; N], f64) {
     (cell.anchor().map(|place| f64::from(place) * side), side)
 }
 
-fn block(cell: Cell<2>, shade: Shade, label: String) -> Block {
+pub(super) fn block(cell: Cell<2>, shade: Shade, label: String) -> Block {
     let (lower, side) = scaled(cell);
     Block { lower, upper: lower.map(|c| c + side), shade, label }
 }
