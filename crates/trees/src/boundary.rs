@@ -56,15 +56,7 @@ impl OrthTree<2> {
             if used[first] {
                 continue;
             }
-            let mut ring = Vec::new();
-            let mut at = first;
-            while !used[at] {
-                used[at] = true;
-                ring.push(sides[at].0);
-                at = following(&sides, at, joined);
-            }
-            assert!(at == first, "a ring ends where it began"); // Inv 1, 2
-            rings.push(without_straight(&ring));
+            rings.push(without_straight(&ring_from(&sides, first, joined, &mut used)));
         }
         rings
     }
@@ -130,6 +122,24 @@ fn direction((from, to): (Place, Place)) -> usize {
         (_, std::cmp::Ordering::Greater) => 1,
         _ => 3,
     }
+}
+
+/// The points of the ring through a side.
+fn ring_from(
+    sides: &[(Place, Place)],
+    first: usize,
+    joined: Joined,
+    used: &mut [bool],
+) -> Vec<Place> {
+    let mut ring = Vec::new();
+    let mut at = first;
+    while !used[at] {
+        used[at] = true;
+        ring.push(sides[at].0);
+        at = following(sides, at, joined);
+    }
+    assert!(at == first, "a ring ends where it began"); // Inv 1, 2
+    ring
 }
 
 /// The side that follows another one in its ring.

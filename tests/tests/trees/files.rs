@@ -9,11 +9,11 @@ use delone::formats::Document;
 use delone::predicates::Dyadic;
 use delone::trees::{Joined, OrthTree, Rule, Solid};
 use delone_tests::data::{documents, files};
-use delone_tests::laws::trees::{Drawn, algebra, area_between, components, quadtree_codes};
+use delone_tests::laws::trees::{Drawn, obey_in_space, obeyed};
 use delone_tests::scipy::Labels;
 use delone_tests::{long, say};
 
-use crate::{hold_in_space, is_closed, solid_trees};
+use crate::{is_closed, solid_trees};
 
 fn pieces_max() -> usize {
     if long() { 50_000 } else { 2_000 }
@@ -37,11 +37,7 @@ fn drawing(document: &Document, labels: &mut Labels) -> &'static str {
     if !is_closed(&drawn) {
         return "open";
     }
-    let Some(trees) = drawn.trees() else { return "too fine for doubles" };
-    area_between(&drawn);
-    quadtree_codes(&trees);
-    algebra(&trees);
-    components(&trees);
+    let Some(trees) = obeyed(&drawn) else { return "too fine for doubles" };
     labels.add(&document.name, &trees[1], Joined::ByFacets);
     labels.add(&document.name, &trees[1], Joined::AtCorners);
     "closed: every law held"
@@ -59,7 +55,7 @@ fn surface(document: &Document, labels: &mut Labels) -> &'static str {
         document.triangles.iter().map(|face| face.map(|v| v as usize)).collect();
     let Ok(solid) = Solid::new(&points, &faces, Rule::EvenOdd) else { return "open" };
     let Some(trees) = solid_trees(&solid, SPACE) else { return "too fine for doubles" };
-    hold_in_space(&trees);
+    obey_in_space(&trees);
     labels.add(&document.name, &trees[1], Joined::ByFacets);
     labels.add(&document.name, &trees[1], Joined::AtCorners);
     // Where the surface does not meet itself, both rules agree, and the volume is the sum of signed tetrahedra.

@@ -65,6 +65,21 @@ impl Drawn<'_> {
     }
 }
 
+/// The trees of a drawing, of which every law was demanded.
+#[must_use]
+pub fn obeyed(drawn: &Drawn<'_>) -> Option<[OrthTree<2>; 3]> {
+    let trees = drawn.trees()?;
+    let times = [area_between(drawn), quadtree_codes(&trees), algebra(&trees), components(&trees)];
+    assert!(!times.contains(&0), "every law was tried");
+    Some(trees)
+}
+
+/// Demands the laws of codes, sets and components of the inner, the centre's and the outer tree of a solid.
+pub fn obey_in_space(trees: &[OrthTree<3>; 3]) {
+    let times = [codes(trees), algebra(trees), components(trees)];
+    assert!(!times.contains(&0), "every law was tried");
+}
+
 fn plane(case: &Case<2>, hold: impl Fn(&[OrthTree<2>; 3], &Drawn<'_>) -> usize) -> usize {
     // From segment to segment, and back to the first; without segments from point to point.
     let mut walk: Vec<usize> = case.segments.iter().flatten().map(|&v| v as usize).collect();
@@ -82,7 +97,7 @@ fn plane(case: &Case<2>, hold: impl Fn(&[OrthTree<2>; 3], &Drawn<'_>) -> usize) 
 }
 
 /// The area inside is not less than that of the inner tree, nor more than that of the outer one.
-pub fn area_between(drawn: &Drawn<'_>) -> usize {
+fn area_between(drawn: &Drawn<'_>) -> usize {
     let shape = Shape::new(drawn.points, drawn.segments, drawn.rule).expect("it is closed");
     let (Ok(frame), Some([inner, _, outer])) = (shape.frame(drawn.depth), drawn.trees()) else {
         return 0;
@@ -127,7 +142,7 @@ fn same<T: PartialEq + Debug, E: Debug>(found: Result<T, E>, expected: &T, what:
 }
 
 /// Every code leads back, and leaves are (2^N - 1) gray + 1.
-pub fn codes<const N: usize>(trees: &[OrthTree<N>; 3]) -> usize {
+fn codes<const N: usize>(trees: &[OrthTree<N>; 3]) -> usize {
     for tree in trees {
         let counts = tree.counts();
         assert_eq!(counts.leaves(), (OrthTree::<N>::ARITY - 1) * counts.gray + 1, "identity");
@@ -152,7 +167,7 @@ pub fn codes<const N: usize>(trees: &[OrthTree<N>; 3]) -> usize {
 }
 
 /// Codes of the plane as well.
-pub fn quadtree_codes(trees: &[OrthTree<2>; 3]) -> usize {
+fn quadtree_codes(trees: &[OrthTree<2>; 3]) -> usize {
     let clockwise = SonOrder::Clockwise(Quadrant::NorthWest);
     for tree in trees {
         for order in [clockwise, SonOrder::Hilbert, SonOrder::Morton] {
@@ -165,7 +180,7 @@ pub fn quadtree_codes(trees: &[OrthTree<2>; 3]) -> usize {
 }
 
 /// The laws of sets.
-pub fn algebra<const N: usize>(trees: &[OrthTree<N>; 3]) -> usize {
+fn algebra<const N: usize>(trees: &[OrthTree<N>; 3]) -> usize {
     let [a, b, c] = trees;
     let (nothing, all) = (OrthTree::of(Colour::White), OrthTree::of(Colour::Black));
     assert_eq!(a.difference(b), nothing, "inner is in centre");
@@ -185,7 +200,7 @@ pub fn algebra<const N: usize>(trees: &[OrthTree<N>; 3]) -> usize {
 }
 
 /// Components are those of the raster, flooded.
-pub fn components<const N: usize>(trees: &[OrthTree<N>; 3]) -> usize {
+fn components<const N: usize>(trees: &[OrthTree<N>; 3]) -> usize {
     for tree in trees {
         let depth = tree.depth();
         let raster = tree.to_raster(depth).expect("the raster is small");

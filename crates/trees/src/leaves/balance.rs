@@ -41,6 +41,9 @@ impl<const N: usize> Leaves<N> {
     /// assert_eq!(balanced.tree(), leaves.tree());
     /// # Ok::<(), delone_trees::CodeFault>(())
     /// ```
+    ///
+    /// # Panics
+    /// Never: a cell that is cut in the leaves and not in their refinement would be a bug.
     #[must_use]
     pub fn balanced(&self, joined: Joined) -> Self {
         let gray = self.gray_of_balance(joined);
