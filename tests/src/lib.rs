@@ -11,6 +11,7 @@
 //! | `constructed` | the mesh of similar plain points; that by rationals | algorithms over constructed points |
 //! | `cgal`, `spade` | the same triangulation as another program's | workloads, and the collected files |
 //! | `dimensions` | Qhull's cells, in general position; validity | four, five and six dimensions |
+//! | `trees` | exact areas and volumes between; codes, sets and components, these as scipy's | workloads, and the collected files |
 //! | `generated` | all laws, shrinking what fails | the first cases of every target of the fuzzer |
 //! | `regressions` | all laws | `regressions/`, which only grows |
 //!
@@ -22,7 +23,7 @@
 //! and which: `DELONE_CASES=1000000 cargo test --release -p delone-tests --test generated algorithms_agree`.
 //!
 //! **Modules.** [`case`] one input; [`corpus`] all of them, of [`hand`] and [`data`]; [`judge`] and [`cells`] what is
-//! compared; [`laws`]; [`generated`] inputs that shrink; [`cgal`] and [`qhull`] the opponents.
+//! compared; [`laws`]; [`generated`] inputs that shrink; [`cgal`], [`qhull`] and [`scipy`] the opponents.
 
 #![expect(clippy::missing_panics_doc, reason = "panicking is how a test's helper speaks")]
 
@@ -32,6 +33,7 @@ pub mod data;
 pub mod generated;
 pub mod hand;
 pub mod qhull;
+pub mod scipy;
 
 pub use delone_laws::{case, cells, exact, id, judge, laws};
 

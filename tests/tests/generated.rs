@@ -54,6 +54,12 @@ fn crossing_segments() {
 }
 
 #[test]
+fn domain_trees() {
+    hold("trees-2d", 200);
+    hold("trees-3d", 200);
+}
+
+#[test]
 fn predicates() {
     hold("predicates-2d", 400);
     hold("predicates-3d", 400);

@@ -26,6 +26,7 @@
 //! | [`Solid`] | a tetrahedral mesh as SVG: shaded boundary, wires inside | up to some 10,000 facets |
 //! | [`Plot`] | curves on logarithmic axes, with their exponents | how a cost grows |
 //! | [`Rasters`] | fields of signs or classes, side by side in rows | maps of predicates |
+//! | [`DomainSheet`] | cells, trees, cubes and codes of quadtrees and octrees | up to some 1,000 nodes |
 //! | [`Scene`] | layers to switch, steps to go through, in a report | what an algorithm did |
 //! | [`Slider`] | a complex that grows, as a page with a slider | alpha complexes |
 //! | [`Report`] | paragraphs, sortable tables, figures; a figure of more than [`SVG_EDGES_MAX`] edges becomes a canvas with pan and zoom | `compare`, benchmarks |
@@ -41,6 +42,7 @@
 //!
 //! Not here: layout of graphs, geometry (circumcircles apart), reading clocks or files.
 
+mod domain;
 mod frame;
 mod html;
 mod num;
@@ -51,6 +53,7 @@ mod solid;
 mod svg;
 mod text;
 
+pub use domain::{Block, Cube, DomainSheet, Panel, Shade};
 pub use html::{Anchor, Cell, Report, SVG_EDGES_MAX, Scene, Span, Step, Table, Tone};
 pub use plot::{Plot, Series};
 pub use rasters::{Raster, Rasters};

@@ -18,7 +18,10 @@ pub(crate) use steiner::{Conform, Refine, Refinement};
 pub(crate) use bench::{Bench, BenchAction, Engine};
 pub(crate) use fuzz::{Fuzz, Program, Shrink};
 pub(crate) use replay::{Replay, Shown};
-pub(crate) use tree::{Build, Code, Encode, Inside, Leaves, SonsIn, Stats, Tree, TreeAction};
+pub(crate) use tree::{
+    Build, By, Code, Divide, Drawn, Encode, Export, Figure, Growth, Inside, Kind, Leaves, Operate,
+    Part, SetOperation, SonsIn, Stats, Tree, TreeAction,
+};
 
 pub(crate) use alpha::{Alpha, Asked, Mode};
 pub(crate) use exercise::{Method, Piped, Sample, SvgToLar, Text};
@@ -67,7 +70,7 @@ pub(crate) enum Command {
     /// Triangulate the inside of a soup of boundary edges, holes unknown
     #[command(name = "triangulate2d")]
     Triangulate2d(Triangulate2d),
-    /// Quadtrees of shapes, their numbers and codes
+    /// Quadtrees and octrees of what is inside a boundary: numbers, codes, set operations, pictures
     Tree(Tree),
     /// Judge any triangulation of an input, also another program's
     Check(Check),

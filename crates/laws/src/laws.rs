@@ -14,12 +14,18 @@
 //! | `weights` | the regular triangulation is what the judge, and brute force, call so |
 //! | `fill` | what is inside by each rule is what the judge says |
 //! | `idempotence` | the CDT of a CDT's own edges is itself; without segments it is the Delaunay triangulation |
+//! | `area between`, `volume between` | the inner tree is not larger than what is inside, the outer one not smaller |
+//! | `codes` | every code of a tree leads back to it; leaves are (2^N - 1) gray + 1 |
+//! | `algebra` | trees are sets |
+//! | `components` | those of the raster, flooded |
 
 mod constrained;
 mod delaunay;
+pub mod trees;
 
 pub use constrained::constrained_laws;
 pub use delaunay::delaunay_laws;
+pub use trees::{octree_laws, quadtree_laws};
 
 use delone::delaunay::{KernelKind, Options, Order};
 

@@ -153,6 +153,42 @@ impl<const N: usize> Frame<N> {
         [0, 1].map(|upper| std::array::from_fn(|axis| at(anchor[axis] + upper, axis)))
     }
 
+    /// A corner of the smallest cells by its place among them, exactly.
+    pub(crate) fn lattice(&self, place: [u32; N]) -> [f64; N] {
+        let side = self.resolution();
+        std::array::from_fn(|axis| self.corner[axis] + f64::from(place[axis]) * side) // Inv 1
+    }
+
+    /// The smallest cell that holds a point: on a side, the upper one's, but for the cube's own upper sides. None if the point
+    /// is outside, or no number.
+    ///
+    /// ```
+    /// use delone_trees::Frame;
+    ///
+    /// let frame = Frame::around(&[[0.0, 0.0], [4.0, 4.0]], 2)?;
+    /// let place = |point| frame.cell_at(point).map(|cell| cell.anchor());
+    /// assert_eq!(place([1.5, 2.0]), Some([1, 2]));
+    /// assert_eq!((place([4.0, 4.0]), place([4.5, 0.0])), (Some([3, 3]), None));
+    /// # Ok::<(), delone_trees::FrameFault>(())
+    /// ```
+    #[must_use]
+    pub fn cell_at(&self, point: [f64; N]) -> Option<Cell<N>> {
+        let mut anchor = [0; N];
+        for (axis, place) in anchor.iter_mut().enumerate() {
+            let lower = self.corner[axis];
+            if !(lower <= point[axis] && point[axis] <= lower + self.side) {
+                return None;
+            }
+            // Halving by comparisons: no difference is rounded.
+            for level in 1..=self.depth {
+                let step = 1u32 << (self.depth - level);
+                let middle = lower + f64::from(*place + step) * self.resolution(); // Inv 1
+                *place += if point[axis] >= middle { step } else { 0 };
+            }
+        }
+        Cell::new(anchor, self.depth)
+    }
+
     /// The middle of a cell of a level up to the depth, exactly.
     #[must_use]
     pub fn centre(&self, cell: Cell<N>) -> [f64; N] {

@@ -33,6 +33,17 @@ pub enum Joined {
     AtCorners,
 }
 
+impl Joined {
+    /// The steps to the neighbours of a cell.
+    #[must_use]
+    pub fn steps<const N: usize>(self) -> Vec<[i8; N]> {
+        match self {
+            Self::ByFacets => facet_steps().collect(),
+            Self::AtCorners => all_steps().collect(),
+        }
+    }
+}
+
 impl<const N: usize> OrthTree<N> {
     /// The black leaves' volume (in the plane: area) in cells of a level, none if a black leaf is smaller or the level is too deep.
     #[must_use]

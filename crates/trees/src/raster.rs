@@ -69,6 +69,12 @@ impl<const N: usize> Raster<N> {
         &self.inside
     }
 
+    /// The places of the cells that are inside.
+    pub fn black(&self) -> impl Iterator<Item = [u32; N]> + Clone + '_ {
+        let inside = self.inside.iter().enumerate().filter(|(_, inside)| **inside);
+        inside.map(|(at, _)| self.anchor(at))
+    }
+
     fn at(&self, anchor: [u32; N]) -> usize {
         anchor.iter().rev().fold(0, |at, &c| at << self.depth | c as usize)
     }

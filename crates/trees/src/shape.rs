@@ -1,10 +1,12 @@
 //! Shapes of the plane given by their boundary.
 
-mod grow;
+mod edge;
+mod share;
 
-use std::fmt;
-
-use crate::{Frame, FrameFault, OrthTree};
+use crate::chain::{BoundaryFault, placed, summed};
+use crate::grow::{decide, grow};
+use crate::{Frame, FrameFault, LeafRule, OrthTree};
+use edge::Edge;
 
 #[cfg(test)]
 #[expect(clippy::cast_possible_truncation, reason = "the numbers of the tests are small")]
@@ -13,22 +15,23 @@ mod tests;
 /// Which winding numbers are inside.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rule {
-    /// Odd ones. Directions of segments do not matter.
+    /// Odd ones. Directions of segments, sides of triangles do not matter.
     EvenOdd,
-    /// All but zero. Segments have the inside on their left or on their right.
+    /// All but zero. Segments have the inside on their left or on their right, triangles before or behind them.
     NonZero,
 }
 
-/// What the smallest cells become through which the boundary passes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum LeafRule {
-    /// White: what is black is inside.
-    Inner,
-    /// Black: what is inside is black.
-    Outer,
-    /// As the centre is; if the boundary goes through it, as what is infinitely near it to the right, and above it along vertical ones.
-    Centre,
+impl Rule {
+    pub(crate) fn holds(self, winding: i64) -> bool {
+        match self {
+            Self::EvenOdd => winding % 2 != 0,
+            Self::NonZero => winding != 0,
+        }
+    }
 }
+
+/// Why segments bound nothing; open at points.
+pub type ShapeFault = BoundaryFault<[f64; 2]>;
 
 /// A boundary: segments that may cross, overlap, touch and repeat, and the rule that says what is inside.
 ///
@@ -48,43 +51,6 @@ pub struct Shape {
     rule: Rule,
 }
 
-/// A segment from the lexicographically smaller end to the larger.
-#[derive(Clone, Copy, Debug)]
-struct Edge {
-    ends: [[f64; 2]; 2],
-    /// How much the winding number is larger on the left than on the right.
-    weight: i64,
-}
-
-/// Why segments bound nothing.
-#[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum ShapeFault {
-    /// Points with a coordinate that is no finite number.
-    NotFinite(Vec<usize>),
-    /// Segments that name no point.
-    NoSuchPoint(Vec<usize>),
-    /// Where the boundary is not closed: an odd number of segments ends there, or under [`Rule::NonZero`] not as many come as go.
-    Open(Vec<[f64; 2]>),
-}
-
-impl fmt::Display for ShapeFault {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NotFinite(points) => write!(
-                f,
-                "points {points:?} have coordinates that are no numbers: give finite ones"
-            ),
-            Self::NoSuchPoint(segments) => {
-                write!(f, "segments {segments:?} name points that are not there: check indices")
-            }
-            Self::Open(places) => write!(f, "the boundary is open at {places:?}: close it"),
-        }
-    }
-}
-
-impl std::error::Error for ShapeFault {}
-
 impl Shape {
     /// The shape inside segments, pairs of point indices.
     ///
@@ -97,20 +63,14 @@ impl Shape {
         segments: &[[usize; 2]],
         rule: Rule,
     ) -> Result<Self, ShapeFault> {
-        let strange = |&i: &usize| points[i].iter().any(|c| !c.is_finite());
-        let not_finite: Vec<usize> = (0..points.len()).filter(strange).collect();
-        if !not_finite.is_empty() {
-            return Err(ShapeFault::NotFinite(not_finite));
+        let edges = summed(placed(points, segments)?.filter_map(directed), rule);
+        let ends = edges.iter().flat_map(|&([a, b], weight)| [(a, -weight), (b, weight)]);
+        let open = summed(ends, rule);
+        if !open.is_empty() {
+            return Err(ShapeFault::Open(open.into_iter().map(|(place, _)| place).collect()));
         }
-        let nowhere = |&i: &usize| segments[i].iter().any(|&end| end >= points.len());
-        let no_such: Vec<usize> = (0..segments.len()).filter(nowhere).collect();
-        if !no_such.is_empty() {
-            return Err(ShapeFault::NoSuchPoint(no_such));
-        }
-        let place = |i: usize| points[i].map(|c| c + 0.0);
-        let edges = chain(segments.iter().map(|ends| ends.map(place)), rule);
-        let open = open_places(&edges, rule);
-        if open.is_empty() { Ok(Self { edges, rule }) } else { Err(ShapeFault::Open(open)) }
+        let edges = edges.into_iter().map(|(ends, weight)| Edge { ends, weight }).collect();
+        Ok(Self { edges, rule })
     }
 
     /// A frame around the boundary for trees of a depth.
@@ -128,49 +88,34 @@ impl Shape {
     /// smallest cells along it from being black under [`LeafRule::Inner`]. All else is decided by exact predicates.
     #[must_use]
     pub fn tree(&self, frame: &Frame<2>, rule: LeafRule) -> OrthTree<2> {
-        grow::grow(self, frame, rule)
+        grow(&self.edges, self.rule, frame, decide(rule, self.rule, frame))
     }
 
-    fn is_inside(&self, winding: i64) -> bool {
-        match self.rule {
-            Rule::EvenOdd => winding % 2 != 0,
-            Rule::NonZero => winding != 0,
-        }
+    /// The quadtree of the shape in a frame, down to its depth, where a smallest cell through which the boundary passes is black if at
+    /// least half of it is inside, exactly.
+    ///
+    /// ```
+    /// use delone_trees::{Rule, Shape};
+    ///
+    /// let points = [[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]];
+    /// let triangle = Shape::new(&points, &[[0, 1], [1, 2], [2, 0]], Rule::EvenOdd)?;
+    /// let tree = triangle.tree_by_area(&triangle.frame(2)?);
+    /// assert_eq!(tree.volume(2), Some(10)); // four cells are half inside
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn tree_by_area(&self, frame: &Frame<2>) -> OrthTree<2> {
+        grow(&self.edges, self.rule, frame, |held, winding, cell| {
+            share::is_half_inside(held, self.rule, winding, frame.corners(cell))
+        })
     }
 }
 
-/// Segments as a chain: each once, with its weight, none of weight zero. Under the even-odd rule weights are modulo two.
-fn chain(segments: impl Iterator<Item = [[f64; 2]; 2]>, rule: Rule) -> Vec<Edge> {
-    let directed = segments.filter(|[a, b]| a != b).map(|[a, b]| match before(&a, &b) {
-        true => Edge { ends: [a, b], weight: 1 },
-        false => Edge { ends: [b, a], weight: -1 },
-    });
-    let mut edges: Vec<Edge> = directed.collect();
-    edges.sort_by(|a, b| a.ends.partial_cmp(&b.ends).expect("coordinates are finite"));
-    edges.dedup_by(|next, kept| {
-        let same = next.ends == kept.ends;
-        kept.weight += if same { next.weight } else { 0 };
-        same
-    });
-    if rule == Rule::EvenOdd {
-        edges.iter_mut().for_each(|edge| edge.weight = edge.weight.rem_euclid(2));
+/// A segment from the lexicographically smaller end, and whether it was so; none without extent.
+fn directed([a, b]: [[f64; 2]; 2]) -> Option<([[f64; 2]; 2], i64)> {
+    match a.partial_cmp(&b)? {
+        std::cmp::Ordering::Less => Some(([a, b], 1)),
+        std::cmp::Ordering::Equal => None,
+        std::cmp::Ordering::Greater => Some(([b, a], -1)),
     }
-    edges.retain(|edge| edge.weight != 0);
-    edges
-}
-
-fn before(a: &[f64; 2], b: &[f64; 2]) -> bool {
-    a.partial_cmp(b).expect("coordinates are finite").is_lt()
-}
-
-/// The boundary of a chain of edges.
-fn open_places(edges: &[Edge], rule: Rule) -> Vec<[f64; 2]> {
-    let both = |edge: &Edge| [(edge.ends[0], -edge.weight), (edge.ends[1], edge.weight)];
-    let mut ends: Vec<([f64; 2], i64)> = edges.iter().flat_map(both).collect();
-    ends.sort_by(|a, b| a.0.partial_cmp(&b.0).expect("coordinates are finite"));
-    let open = |run: &&[([f64; 2], i64)]| {
-        let sum: i64 = run.iter().map(|(_, weight)| weight).sum();
-        if rule == Rule::EvenOdd { sum % 2 != 0 } else { sum != 0 }
-    };
-    ends.chunk_by(|a, b| a.0 == b.0).filter(open).map(|run| run[0].0).collect()
 }

@@ -7,7 +7,6 @@
 //! | `steiner` | conforming triangulations, refinement |
 //! | `alpha` | alpha filtrations, Betti numbers, persistence |
 //! | `queries` | location, nearest sites, natural neighbours, Voronoi's diagram |
-//! | `trees` | quadtrees |
 //! | `readers` | files of any bytes |
 
 mod alpha;
@@ -16,7 +15,6 @@ mod predicates;
 mod queries;
 mod readers;
 mod steiner;
-mod trees;
 
 pub(super) use alpha::of_alpha;
 pub(super) use plane::{of_agreement, of_crossings, of_files};
@@ -24,4 +22,3 @@ pub(super) use predicates::{canary, of_predicates};
 pub(super) use queries::{of_plane_queries, of_queries};
 pub(super) use readers::{OF_READERS, file};
 pub(super) use steiner::{of_conforming, of_refinement};
-pub(super) use trees::of_trees;

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::extra;
 use super::target::{CANARY, Kind, Target};
 use crate::generate;
-use crate::laws::{Law, constrained_laws, delaunay_laws};
+use crate::laws::{Law, constrained_laws, delaunay_laws, octree_laws, quadtree_laws};
 
 /// All targets; the last is the canary, which must fail.
 #[must_use]
@@ -59,7 +59,7 @@ fn of_points() -> Vec<Target> {
         row("alpha-3d", alpha, space(extra::of_alpha())),
         row("predicates-2d", signs, plane(extra::of_predicates())),
         row("predicates-3d", signs, space(extra::of_predicates())),
-        row("trees", "quadtrees of polygons: cells, codes, sets", plane(extra::of_trees())),
+        row("trees-3d", "every law of octrees, of tetrahedra", space(octree_laws())),
     ]
 }
 
@@ -84,6 +84,11 @@ fn of_graphs() -> Vec<Target> {
             "crossings",
             "segments that cross, every crossing a vertex",
             crossing(extra::of_crossings()),
+        ),
+        row(
+            "trees-2d",
+            "every law of quadtrees, of what is inside a walk through segments",
+            crossing(quadtree_laws()),
         ),
         row("files", "what is written is read again, bit for bit", crossing(extra::of_files())),
     ]

@@ -1,6 +1,6 @@
 //! Connected components of black leaves.
 
-use super::{Joined, all_steps, facet_steps};
+use super::Joined;
 use crate::orth::Index;
 use crate::{Cell, Colour, OrthTree};
 
@@ -26,13 +26,7 @@ impl<const N: usize> OrthTree<N> {
     /// ```
     #[must_use]
     pub fn components(&self, joined: Joined) -> Components {
-        match joined {
-            Joined::ByFacets => self.united(facet_steps()),
-            Joined::AtCorners => self.united(all_steps()),
-        }
-    }
-
-    fn united(&self, steps: impl Iterator<Item = [i8; N]> + Clone) -> Components {
+        let steps = joined.steps();
         let index = Index::new(self);
         let mut leader: Vec<usize> = (0..self.colours().len()).collect();
         let black = |(at, (cell, colour)): (usize, (Cell<N>, Colour))| {
@@ -40,7 +34,7 @@ impl<const N: usize> OrthTree<N> {
         };
         for (at, cell) in self.cells().enumerate().filter_map(black) {
             // Neighbours that are smaller find this one themselves.
-            for beyond in steps.clone().filter_map(|steps| cell.neighbour(steps)) {
+            for beyond in steps.iter().filter_map(|&steps| cell.neighbour(steps)) {
                 let found = index.find(beyond);
                 if found.colour == Colour::Black {
                     unite(&mut leader, at, found.at);

@@ -8,21 +8,6 @@ use crate::{Colour, Joined, OrthTree, Raster};
 
 type Place<const N: usize> = [i64; N];
 
-/// The black cells by their places.
-fn black<const N: usize>(raster: &Raster<N>) -> Vec<Place<N>> {
-    let side = 1usize << raster.depth();
-    let place = |at: usize| {
-        let mut rest = at;
-        [0; N].map(|_: i64| {
-            let place = i64::try_from(rest % side).unwrap();
-            rest /= side;
-            place
-        })
-    };
-    let inside = raster.cells().iter().enumerate().filter(|(_, inside)| **inside);
-    inside.map(|(at, _)| place(at)).collect()
-}
-
 fn step<const N: usize>(place: Place<N>, steps: [i8; N]) -> Place<N> {
     std::array::from_fn(|axis| place[axis] + i64::from(steps[axis]))
 }
@@ -72,7 +57,7 @@ fn euler<const N: usize>(cells: &[Place<N>], joined: Joined) -> i64 {
 
 fn measures_are_those_of_the_raster<const N: usize>(raster: &Raster<N>) {
     let tree = OrthTree::from_raster(raster);
-    let cells = black(raster);
+    let cells: Vec<Place<N>> = raster.black().map(|place| place.map(i64::from)).collect();
     let set: BTreeSet<Place<N>> = cells.iter().copied().collect();
     let white =
         |cell: &Place<N>| facet_steps::<N>().filter(|&s| !set.contains(&step(*cell, s))).count();

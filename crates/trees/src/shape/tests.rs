@@ -1,7 +1,7 @@
 use delone_predicates::{Dyadic, Sign, orient2d};
 use proptest::prelude::*;
 
-use super::Edge;
+use super::edge::Edge;
 use crate::{Cell, Colour, Frame, LeafRule, OrthTree, Rule, Shape, ShapeFault};
 
 type Int = i128;
@@ -119,6 +119,57 @@ proptest! {
                 let parity = |segments: &[Segment]| winding(segments, lower).rem_euclid(2);
                 prop_assert_eq!(parity(&all), parity(&kept));
             }
+        }
+    }
+
+    /// Axis-parallel walks on half the lattice of smallest cells: a cell's share is that of its parts, and these have no boundary
+    /// in their interior.
+    #[test]
+    fn areas_decide_as_sums_over_small_cells_do(
+        walks in prop::collection::vec(prop::collection::vec([0i8..9, 0i8..9], 1..7), 1..3),
+        odd in any::<bool>(),
+    ) {
+        let rule = if odd { Rule::EvenOdd } else { Rule::NonZero };
+        // From point to point first along x, then along y.
+        let bent: Vec<Vec<[i8; 2]>> = walks.iter().map(|walk| {
+            let next = |i: usize| walk[(i + 1) % walk.len()];
+            (0..walk.len()).flat_map(|i| [walk[i], [next(i)[0], walk[i][1]]]).collect()
+        }).collect();
+        let (points, segments) = closed(&bent);
+        let shape = Shape::new(&points, &segments, rule).unwrap();
+        let around = [[0.0, 0.0], [16.0, 16.0]];
+        let (coarse, fine) = (Frame::around(&around, 2).unwrap(), Frame::around(&around, 4).unwrap());
+        let fine = shape.tree(&fine, LeafRule::Inner).to_raster(4).unwrap();
+        let raster = shape.tree_by_area(&coarse).to_raster(2).unwrap();
+        for (at, &black) in raster.cells().iter().enumerate() {
+            let (x, y) = (at % 4 * 4, at / 4 * 4);
+            let parts = (0..16).filter(|part| fine.cells()[(y + part / 4) * 16 + x + part % 4]);
+            prop_assert_eq!(black, parts.count() >= 8, "{} {}", x, y);
+        }
+    }
+
+    /// Any walks: a cell's share is between those of the inner and of the outer tree of much smaller cells.
+    #[test]
+    fn areas_are_between_those_of_fine_trees(
+        walks in prop::collection::vec(prop::collection::vec([0i8..17, 0i8..17], 1..7), 1..3),
+        odd in any::<bool>(),
+    ) {
+        let rule = if odd { Rule::EvenOdd } else { Rule::NonZero };
+        let (points, segments) = closed(&walks);
+        let shape = Shape::new(&points, &segments, rule).unwrap();
+        let around = [[0.0, 0.0], [16.0, 16.0]];
+        let (coarse, fine) = (Frame::around(&around, 2).unwrap(), Frame::around(&around, 7).unwrap());
+        let [inner, outer] =
+            [LeafRule::Inner, LeafRule::Outer].map(|leaves| shape.tree(&fine, leaves).to_raster(7).unwrap());
+        let raster = shape.tree_by_area(&coarse).to_raster(2).unwrap();
+        for (at, &black) in raster.cells().iter().enumerate() {
+            let (x, y) = (at % 4 * 32, at / 4 * 32);
+            let parts = |raster: &crate::Raster<2>| {
+                (0..1024).filter(|part| raster.cells()[(y + part / 32) * 128 + x + part % 32]).count()
+            };
+            let (least, most) = (parts(&inner), parts(&outer));
+            prop_assert!(least < 512 || black, "{} {}: at least {} of 1024", x, y, least);
+            prop_assert!(most >= 512 || !black, "{} {}: at most {} of 1024", x, y, most);
         }
     }
 
@@ -259,6 +310,24 @@ fn cells_that_are_only_touched_are_not_cut() {
     let shape = Shape::new(&diamond, &ring, Rule::NonZero).unwrap();
     let inner = shape.tree(&shape.frame(2).unwrap(), LeafRule::Inner);
     assert_eq!(inner.to_text(), "((WWWB(WWBW(WBWW(BWWW");
+}
+
+#[test]
+fn half_a_cell_is_enough() {
+    // Of the unit square: half by a diagonal, by two crossing segments, by a vertical one; and a little less.
+    let black = |ring: &[[f64; 2]]| {
+        let segments: Vec<[usize; 2]> =
+            (0..ring.len()).map(|i| [i, (i + 1) % ring.len()]).collect();
+        let shape = Shape::new(ring, &segments, Rule::EvenOdd).unwrap();
+        let frame = Frame::around(&[[0.0, 0.0], [1.0, 1.0]], 0).unwrap();
+        shape.tree_by_area(&frame) == OrthTree::of(Colour::Black)
+    };
+    let less = 0.5f64.next_down();
+    assert!(black(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]]));
+    assert!(black(&[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]]), "two triangles");
+    assert!(black(&[[0.5, 0.0], [1.0, 0.0], [1.0, 1.0], [0.5, 1.0]]));
+    assert!(!black(&[[0.0, 0.0], [less, 0.0], [less, 1.0], [0.0, 1.0]]));
+    assert!(!black(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0f64.next_down()]]));
 }
 
 #[test]
