@@ -36,6 +36,7 @@ mod noded;
 mod order;
 mod pslg;
 mod sites;
+mod sorting;
 mod strips;
 mod sweep;
 mod weighted;
