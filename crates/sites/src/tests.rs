@@ -254,7 +254,7 @@ fn sites_on_threads_are_those_of_one() {
     let scales = |i: u64| {
         [
             number(i, 9) * 2f64.powf(number(!i, 1900) - 950.0),
-            if i % 2 == 0 { f64::MAX } else { -f64::MAX },
+            if i.is_multiple_of(2) { f64::MAX } else { -f64::MAX },
         ]
     };
     let makes: [&dyn Fn(u64) -> [f64; 2]; 4] = [&spread, &columns, &line, &scales];
