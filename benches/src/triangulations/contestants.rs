@@ -99,7 +99,8 @@ fn ours<const D: usize>(all: &mut Vec<Contestant<'_, D>>, threads_max: usize) {
             let options = Options { threads, ..Options::default() };
             let algorithm = algorithms::<D>()[0];
             let (seconds, (sites, result)) = timed(|| {
-                let sites = Sites::new(&task.points).expect("workloads are finite");
+                let sites = Sites::new_in_parallel(&task.points, threads);
+                let sites = sites.expect("workloads are finite");
                 let result = (algorithm.run)(&sites, &options);
                 (sites, result)
             });

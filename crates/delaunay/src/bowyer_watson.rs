@@ -16,6 +16,10 @@
 //! **Cost.** Expected O(n log n + cells made) in randomized order; about 4 cells removed and 6 made for each site in the
 //! plane (on average, without boundary: degree 6), 27 made in space on uniform sites. Memory: 8 (D + 1) bytes a cell, 4
 //! for its mark, and the coordinates once more, in order of insertion.
+//! **Threads.** One. The cells would be the same on several, since they depend on the points alone; their numbers would not, nor
+//! would the time be safe: insertions at once need cavities that do not touch, that is locks on cells, whose outcome depends on
+//! who comes first, or colours, which need the cavities before they are dug. Divide and conquer as in the plane has no linear
+//! merge in space: the wall between two halves may meet n^2 cells.
 //!
 //! **Degeneracies.**
 //! | case | answer | test |

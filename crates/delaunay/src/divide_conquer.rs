@@ -39,9 +39,9 @@ use delone_mesh::{FacetId, Mesh, VertexId};
 use delone_predicates::{Kernel, Sign};
 use delone_probe::{Event, Probe};
 use delone_sites::Sites;
-use rayon::prelude::{IntoParallelRefIterator, IntoParallelRefMutIterator, ParallelIterator};
+use rayon::prelude::{IntoParallelRefIterator, ParallelIterator};
 
-use cuts::{Axis, Item, LEAF, THREAD};
+use cuts::{Axis, Item, LEAF, POOL, THREAD};
 use merge::{Hull, Work};
 use patch::{Edge, GHOST, Patch, Place};
 
@@ -80,7 +80,7 @@ fn laid_out(
     if sorted.len() < 2 {
         return chain_mesh(sorted);
     }
-    cuts::cut(&mut items, Axis::X);
+    cuts::cut(&mut items);
     let order: Vec<u32> = items.iter().map(|item| sorted[item.rank() as usize]).collect();
     drop(items);
     let kernel = kernel.reordered(&order);
@@ -93,8 +93,7 @@ fn laid_out(
     if arrays.is_chain(hull) {
         return chain_mesh(sorted);
     }
-    arrays.apexes.iter_mut().for_each(|vertex| rename(vertex, &order));
-    arrays.into_mesh()
+    arrays.into_mesh(&order)
 }
 
 /// The same, bit for bit, on up to `threads` threads. It takes no probe: the counts would be those of the other.
@@ -106,7 +105,7 @@ pub fn divide_conquer_in_parallel<K: Kernel<2, Reordered: Sync> + Sync>(
     sites: &Sites<2>,
     threads: NonZeroUsize,
 ) -> Mesh<2> {
-    let alone = threads.get() == 1 || sites.len() <= THREAD;
+    let alone = threads.get() == 1 || sites.len() <= POOL;
     let pool = || rayon::ThreadPoolBuilder::new().num_threads(threads.get()).build().ok();
     // A system that gives no threads gets the same mesh from one.
     let Some(pool) = (!alone).then(pool).flatten() else {
@@ -114,7 +113,7 @@ pub fn divide_conquer_in_parallel<K: Kernel<2, Reordered: Sync> + Sync>(
     };
     pool.install(|| {
         let mut items = cuts::items_in_parallel(sites);
-        cuts::cut_in_parallel(&mut items, Axis::X);
+        cuts::cut_in_parallel(&mut items);
         let order: Vec<u32> =
             items.par_iter().map(|item| sites.sorted()[item.rank() as usize]).collect();
         drop(items);
@@ -126,8 +125,7 @@ pub fn divide_conquer_in_parallel<K: Kernel<2, Reordered: Sync> + Sync>(
         if arrays.is_chain(hull) {
             return chain_mesh(sites.sorted());
         }
-        arrays.apexes.par_iter_mut().for_each(|vertex| rename(vertex, &order));
-        arrays.into_mesh()
+        arrays.into_mesh_in_parallel(&order)
     })
 }
 
@@ -243,23 +241,30 @@ impl Arrays {
         self.apexes[self.twins[hull.top as usize] as usize] == GHOST
     }
 
-    /// As a mesh of the vertices that the apexes name.
-    fn into_mesh(self) -> Mesh<2> {
-        // Both run in place: handles are as wide as numbers.
-        let vertex =
-            |name| if name == GHOST { VertexId::GHOST } else { VertexId::new(name as usize) };
-        let corners = self.apexes.into_iter().map(vertex).collect();
-        let twins = self.twins.into_iter().map(|e| FacetId::from_index(e as usize)).collect();
+    /// As a mesh of sites, given in the order of the places.
+    fn into_mesh(self, order: &[u32]) -> Mesh<2> {
+        Mesh::from_parts(2, corners(self.apexes, order), handles(self.twins))
+    }
+
+    /// The same on two threads.
+    fn into_mesh_in_parallel(self, order: &[u32]) -> Mesh<2> {
+        let (corners, twins) = rayon::join(|| corners(self.apexes, order), || handles(self.twins));
         Mesh::from_parts(2, corners, twins)
     }
 }
 
-/// Makes the site of a place.
-#[inline]
-fn rename(vertex: &mut Place, order: &[u32]) {
-    if *vertex != GHOST {
-        *vertex = order[*vertex as usize];
-    }
+/// The sites of places; in place, for handles are as wide as numbers.
+fn corners(apexes: Vec<Place>, order: &[u32]) -> Vec<VertexId> {
+    let vertex = |place: Place| match order.get(place as usize) {
+        Some(&site) => VertexId::new(site as usize),
+        None => VertexId::GHOST,
+    };
+    apexes.into_iter().map(vertex).collect()
+}
+
+/// Edges as facets; in place.
+fn handles(twins: Vec<Edge>) -> Vec<FacetId<2>> {
+    twins.into_iter().map(|e| FacetId::from_index(e as usize)).collect()
 }
 
 /// Sites in line as a mesh of dimension 1: a circle of segments, through the sites in order and the ghost.

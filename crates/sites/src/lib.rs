@@ -38,6 +38,7 @@ mod order;
 mod pslg;
 mod sites;
 mod snapped;
+mod sorting;
 mod strips;
 mod sweep;
 mod weighted;

@@ -1,7 +1,8 @@
 //! Insertion orders: Hilbert's curve, and biased randomized rounds along it.
 //!
 //! **Paper.** \[ACR03\]: each site is in the last round with probability 1/2, in the one before with 1/4, and so on; inside
-//! a round any order may serve, here that of Hilbert's curve, in the bit-parallel form of \[Ski04\].
+//! a round any order may serve, here that of Hilbert's curve, in the bit-parallel form of \[Ski04\]. The curve runs through a grid; sites
+//! that are crowded in one of its squares get a grid of their own.
 //! **Out.** A permutation of the sites. It depends on their positions alone and influences time only.
 //! **Cost.** O(n log n).
 
@@ -9,6 +10,9 @@ use crate::Sites;
 
 /// Rounds end when no more than this many sites are left.
 const FIRST_ROUND: usize = 64;
+
+/// More sites than this at one place of the curve are told apart.
+const CROWD: usize = 8;
 
 /// Points whose keys are found in step.
 const LANES: usize = 8;
@@ -49,20 +53,46 @@ impl<const D: usize> Sites<D> {
     }
 
     fn order_by(&self, round: impl Fn(u64) -> u64) -> Vec<u32> {
-        let curve = Curve::around(self.points());
+        let ranks = 0u32..u32::try_from(self.len()).expect("sites have ids of 32 bits");
         // Round, place on the curve and rank in one number: equal places stay in lexicographic order.
-        let mut keyed: Vec<u128> = Vec::with_capacity(self.len());
-        let mut ranks = 0u32..;
-        for sites in self.sorted().chunks(LANES) {
-            let at = |lane: usize| self.points()[sites[lane.min(sites.len() - 1)] as usize];
-            let keys = curve.keys::<LANES>(&std::array::from_fn(at));
-            keyed.extend(ranks.by_ref().zip(&keys[..sites.len()]).map(|(rank, &key)| {
-                let round = round(u64::from(rank));
-                u128::from(round) << 96 | u128::from(key) << 32 | u128::from(rank)
-            }));
-        }
+        let mut keyed: Vec<u128> =
+            ranks.map(|rank| u128::from(round(u64::from(rank))) << 96 | u128::from(rank)).collect();
+        self.place_on_curve(&mut keyed);
         keyed.sort_unstable();
+        self.refine(&mut keyed);
         keyed.into_iter().map(|item| self.sorted()[low_half(item) as usize]).collect()
+    }
+
+    /// Sets the places of sites on the curve around them; false if they are all at one position.
+    fn place_on_curve(&self, keyed: &mut [u128]) -> bool {
+        let point = |item: u128| self.points()[self.sorted()[low_half(item) as usize] as usize];
+        let curve = Curve::around_each(keyed.iter().map(|&item| point(item)));
+        for lanes in keyed.chunks_mut(LANES) {
+            let at = |lane: usize| point(lanes[lane.min(lanes.len() - 1)]);
+            let keys = curve.keys::<LANES>(&std::array::from_fn(at));
+            for (item, &key) in lanes.iter_mut().zip(&keys) {
+                *item = *item & !(u128::from(u64::MAX) << 32) | u128::from(key) << 32;
+            }
+        }
+        curve.extent > 0.0
+    }
+
+    /// Sites in crowds at one place of the curve get a curve of their own: clusters may be as narrow as they like.
+    ///
+    /// It ends: on a curve around several positions there is more than one place.
+    fn refine(&self, keyed: &mut [u128]) {
+        let mut ranges = vec![(0, keyed.len())];
+        while let Some((first, end)) = ranges.pop() {
+            let mut start = first;
+            for run in keyed[first..end].chunk_by_mut(|a, b| *a >> 32 == *b >> 32) {
+                let range = (start, start + run.len());
+                start = range.1;
+                if run.len() > CROWD && self.place_on_curve(run) {
+                    run.sort_unstable();
+                    ranges.push(range);
+                }
+            }
+        }
     }
 }
 
@@ -95,6 +125,10 @@ impl<const D: usize> Curve<D> {
     /// The curve through the smallest cube at the low corner of the points' bounding box that holds them.
     #[must_use]
     pub fn around(points: &[[f64; D]]) -> Self {
+        Self::around_each(points.iter().copied())
+    }
+
+    fn around_each(points: impl Iterator<Item = [f64; D]>) -> Self {
         let (mut low, mut high) = ([f64::INFINITY; D], [f64::NEG_INFINITY; D]);
         for point in points {
             for axis in 0..D {

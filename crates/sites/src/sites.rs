@@ -1,8 +1,13 @@
 //! Sites: input points, checked once, each position once.
 
 use std::fmt;
+use std::num::NonZeroUsize;
 
-use crate::order::{low_half, sortable};
+use crate::order::low_half;
+use crate::sorting::{sort_along, sort_in_parallel};
+
+/// More points than this are worth a pool of threads, which takes as long to start as a thousand of them.
+const POOL: usize = 1 << 15;
 
 /// Distinct finite points of R^D, in the order in which they first came.
 ///
@@ -69,6 +74,33 @@ impl<const D: usize> Sites<D> {
     /// # Errors
     /// If a coordinate is not finite (all of them are listed), or there are 2^32 - 2 points or more.
     pub fn new(points: &[[f64; D]]) -> Result<Self, SitesError> {
+        Self::sorted_by(points, |points, items| sort_along(0, points, items))
+    }
+
+    /// The same, to the bit, on up to `threads` threads.
+    ///
+    /// ```
+    /// use delone_sites::Sites;
+    /// let points: Vec<[f64; 2]> = (0..50_000).map(|i| [f64::from(i % 7), f64::from(i)]).collect();
+    /// let threads = std::num::NonZeroUsize::new(2).unwrap();
+    /// assert_eq!(Sites::new_in_parallel(&points, threads), Sites::new(&points));
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Sites::new`].
+    pub fn new_in_parallel(points: &[[f64; D]], threads: NonZeroUsize) -> Result<Self, SitesError> {
+        let alone = threads.get() == 1 || points.len() <= POOL;
+        let pool = || rayon::ThreadPoolBuilder::new().num_threads(threads.get()).build().ok();
+        // A system that gives no threads gets the same sites from one.
+        let Some(pool) = (!alone).then(pool).flatten() else { return Self::new(points) };
+        Self::sorted_by(points, |points, items| pool.install(|| sort_in_parallel(points, items)))
+    }
+
+    /// Checks and takes the points; `sort` puts their indices into order, and tells whether no two points are equal.
+    fn sorted_by(
+        points: &[[f64; D]],
+        sort: impl FnOnce(&[[f64; D]], &mut [u128]) -> bool,
+    ) -> Result<Self, SitesError> {
         let count = u32::try_from(points.len())
             .ok()
             .filter(|&count| count < u32::MAX - 1)
@@ -79,7 +111,7 @@ impl<const D: usize> Sites<D> {
         }
         let points: Vec<[f64; D]> = points.iter().map(|p| p.map(|c| c + 0.0)).collect();
         let mut items: Vec<u128> = (0..count).map(u128::from).collect();
-        let distinct = sort_along(0, &points, &mut items);
+        let distinct = sort(&points, &mut items);
         let sorted: Vec<u32> = items.into_iter().map(low_half).collect();
         if distinct {
             let all: Vec<u32> = (0..count).collect();
@@ -165,24 +197,6 @@ impl<const D: usize> Sites<D> {
         }
         ranks
     }
-}
-
-/// Sorts points that agree on the axes before `axis`, given by index, by those from it on; equal ones by index. Whether
-/// no two are equal. The items carry the coordinate in their upper part, as a number that orders like it.
-fn sort_along<const D: usize>(axis: usize, points: &[[f64; D]], items: &mut [u128]) -> bool {
-    if axis == D {
-        return items.len() < 2; // what is left is in order of index
-    }
-    for item in &mut *items {
-        let index = low_half(*item);
-        *item = u128::from(sortable(points[index as usize][axis])) << 32 | u128::from(index);
-    }
-    items.sort_unstable();
-    let mut distinct = true;
-    for run in items.chunk_by_mut(|a, b| *a >> 32 == *b >> 32).filter(|run| run.len() > 1) {
-        distinct &= sort_along(axis + 1, points, run);
-    }
-    distinct
 }
 
 fn not_finite<const D: usize>(points: &[[f64; D]]) -> Vec<NotFinite> {

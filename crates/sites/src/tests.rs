@@ -49,6 +49,19 @@ fn the_curve_steps_to_neighbours() {
 }
 
 #[test]
+fn a_crowd_in_one_square_of_the_curve_has_its_own() {
+    let unit = 2f64.powi(-80);
+    let square = |i: u32| [f64::from(i / 16) * unit, f64::from(i % 16) * unit];
+    let points: Vec<[f64; 2]> = (0..256).map(square).chain([[1.0, 1.0]]).collect();
+    let order = Sites::new(&points).unwrap().hilbert_order();
+    assert_eq!(order[256], 256);
+    for pair in order[..256].windows(2) {
+        let [[x, y], [z, w]] = [pair[0], pair[1]].map(|i| points[i as usize]);
+        assert_eq!((x - z).abs() + (y - w).abs(), unit, "{pair:?}");
+    }
+}
+
+#[test]
 fn orders_are_permutations_and_do_not_depend_on_input_order() {
     let points: Vec<[f64; 2]> =
         (0..1000u32).map(|i| [f64::from(i * 7919 % 1009), f64::from(i * 104_729 % 997)]).collect();
@@ -229,4 +242,28 @@ fn weights_that_are_none_are_refused_with_their_points() {
     assert!(refused(&[0.0, f64::NAN]).to_string().starts_with("point 1 has the weight NaN"));
     let nan = WeightedSites::new(&[[f64::NAN]], &[0.0]).unwrap_err();
     assert!(matches!(nan, WeightsError::Sites(_)));
+}
+
+#[test]
+fn sites_on_threads_are_those_of_one() {
+    // 40,000 points: spread, in few columns with repeats, all on one vertical line, and far beyond one scale.
+    let number = |i: u64, below: u64| (scatter(i) % below) as f64;
+    let spread = |i: u64| [number(i, 1 << 50), number(!i, 1 << 50)];
+    let columns = |i: u64| [number(i, 100), number(!i, 300)];
+    let line = |i: u64| [1.0, -number(i, 1 << 40)];
+    let scales = |i: u64| {
+        [
+            number(i, 9) * 2f64.powf(number(!i, 1900) - 950.0),
+            if i.is_multiple_of(2) { f64::MAX } else { -f64::MAX },
+        ]
+    };
+    let makes: [&dyn Fn(u64) -> [f64; 2]; 4] = [&spread, &columns, &line, &scales];
+    for make in makes {
+        let points: Vec<[f64; 2]> = (0..40_000).map(make).collect();
+        let sites = Sites::new(&points).unwrap();
+        let position = |&site: &u32| sites.points()[site as usize];
+        assert!(sites.sorted().is_sorted_by(|a, b| position(a) < position(b)), "strictly");
+        let threads = std::num::NonZeroUsize::new(3).unwrap();
+        assert_eq!(Sites::new_in_parallel(&points, threads).unwrap(), sites);
+    }
 }

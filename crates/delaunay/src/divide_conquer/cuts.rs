@@ -3,8 +3,10 @@
 //! **Paper.** [Dwy87]: blocks are cut in halves, across x and y by turns. **In.** Sites in lexicographic order. **Out.** Their
 //! order, such that each block of the recursion is a range of it.
 //! **Invariants.** 1. A cut is by a total order that sees a slightly tilted line: (x, y), or (y, -x), the first turned by
-//! a quarter. 2. The order is a function of the points alone: the halves are sets, and what is left is sorted.
-//! **Cost.** O(n log n). The sites are integers here: their rank, and a number that orders like y.
+//! a quarter. 2. Each block is in lexicographic order, before its cut and after: so a cut across x is in the middle, and
+//! the order of all is a function of the points alone.
+//! **Cost.** O(n log n): for each site a selection and a stable partition at every other level. The sites are integers here: their
+//! rank, and a number that orders like y.
 
 use std::cmp::Ordering;
 
@@ -17,6 +19,9 @@ pub(super) const LEAF: usize = 3;
 
 /// Blocks of more sites than this are worth a thread.
 pub(super) const THREAD: usize = 1 << 13;
+
+/// More sites than this are worth a pool of threads, which takes as long to start as a thousand sites.
+pub(super) const POOL: usize = 1 << 15;
 
 /// Which order a cut is across.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,7 +61,7 @@ impl Axis {
 
 /// A site while it is cut: how high it is and, below, its lexicographic rank, turned round. So the order of numbers is
 /// that across y.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Item(u128);
 
 impl Item {
@@ -104,50 +109,67 @@ pub(super) fn items_in_parallel(sites: &Sites<2>) -> Vec<Item> {
     ranked.map(|(rank, &site)| Item::of_site(sites, rank, site)).collect()
 }
 
-/// Puts items into the order of the cuts, of which the first is across the axis along which they are `sorted`.
-pub(super) fn cut(items: &mut [Item], sorted: Axis) {
-    let (left, right) = items.split_at_mut(items.len() / 2);
-    halve(left, sorted.other());
-    halve(right, sorted.other());
-}
-
-/// The same for items that are not sorted, the first cut being across `axis`.
-fn halve(items: &mut [Item], axis: Axis) {
-    if items.len() <= LEAF {
-        items.sort_unstable_by_key(|item| item.rank()); // Inv 2
-        return;
-    }
-    let (left, right) = select(items, axis);
-    halve(left, axis.other());
-    halve(right, axis.other());
+/// Puts items, which are in lexicographic order, into that of the cuts. The first cut is across x.
+pub(super) fn cut(items: &mut [Item]) {
+    let mut scratch = items.to_vec();
+    halve(items, &mut scratch, Axis::X);
 }
 
 /// [`cut`] on the threads there are.
-pub(super) fn cut_in_parallel(items: &mut [Item], sorted: Axis) {
-    let (left, right) = items.split_at_mut(items.len() / 2);
+pub(super) fn cut_in_parallel(items: &mut [Item]) {
+    let mut scratch = items.to_vec();
+    halve_in_parallel(items, &mut scratch, Axis::X);
+}
+
+/// Cuts a block, given as much space to work in.
+fn halve(items: &mut [Item], scratch: &mut [Item], axis: Axis) {
+    if items.len() <= LEAF {
+        return;
+    }
+    let [(left, left_scratch), (right, right_scratch)] = parted(items, scratch, axis);
+    halve(left, left_scratch, axis.other());
+    halve(right, right_scratch, axis.other());
+}
+
+fn halve_in_parallel(items: &mut [Item], scratch: &mut [Item], axis: Axis) {
+    if items.len() <= THREAD {
+        return halve(items, scratch, axis);
+    }
+    let [(left, left_scratch), (right, right_scratch)] = parted(items, scratch, axis);
     rayon::join(
-        || halve_in_parallel(left, sorted.other()),
-        || halve_in_parallel(right, sorted.other()),
+        || halve_in_parallel(left, left_scratch, axis.other()),
+        || halve_in_parallel(right, right_scratch, axis.other()),
     );
 }
 
-fn halve_in_parallel(items: &mut [Item], axis: Axis) {
-    if items.len() <= THREAD {
-        return halve(items, axis);
-    }
-    let (left, right) = select(items, axis);
-    rayon::join(
-        || halve_in_parallel(left, axis.other()),
-        || halve_in_parallel(right, axis.other()),
-    );
-}
+/// A block, and as much space to work in.
+type Block<'a> = (&'a mut [Item], &'a mut [Item]);
 
 /// Brings the lower half along the axis to the front, and parts the two.
-fn select(items: &mut [Item], axis: Axis) -> (&mut [Item], &mut [Item]) {
+fn parted<'a>(items: &'a mut [Item], scratch: &'a mut [Item], axis: Axis) -> [Block<'a>; 2] {
     let middle = items.len() / 2;
-    match axis {
-        Axis::X => drop(items.select_nth_unstable_by_key(middle, |item| item.rank())),
-        Axis::Y => drop(items.select_nth_unstable_by_key(middle, |item| item.0)),
+    if axis == Axis::Y {
+        scratch.copy_from_slice(items);
+        let (_, &mut bound, _) = scratch.select_nth_unstable(middle);
+        partition(items, scratch, bound);
     }
-    items.split_at_mut(middle)
+    let (left, right) = items.split_at_mut(middle);
+    let (left_scratch, right_scratch) = scratch.split_at_mut(middle);
+    [(left, left_scratch), (right, right_scratch)]
+}
+
+/// Brings the items below `bound` to the front; either part stays in its order. (Inv 2)
+///
+/// Each item is written to both places, and a length says which counts: half of the answers would be guessed wrong.
+fn partition(items: &mut [Item], scratch: &mut [Item], bound: Item) {
+    let (mut below, mut others) = (0, 0);
+    for i in 0..items.len() {
+        let item = items[i];
+        items[below] = item; // not after i
+        scratch[others] = item;
+        let is_below = item < bound;
+        below += usize::from(is_below);
+        others += usize::from(!is_below);
+    }
+    items[below..].copy_from_slice(&scratch[..others]);
 }

@@ -109,11 +109,23 @@ fn cocircular_sites_are_swept() {
                 .collect();
             let counts = check_exactly(&some);
             assert!(some.len() < 3 || counts.cells_made == some.len() as u64 - 2);
+            assert_eq!(counts.flips, 0, "Inv 5");
             // The centre, and a site on the line that touches the circle.
             let [r, height] = [f64::from(radius), dice(seed, 99, 9) - 4.0];
             check_exactly(&some.iter().copied().chain([[0.0, 0.0]]).collect::<Vec<_>>());
             check_exactly(&some.iter().copied().chain([[r, height], [r, 0.5]]).collect::<Vec<_>>());
         }
+    }
+}
+
+#[test]
+fn events_of_one_circle_come_in_the_order_of_the_perturbation() {
+    for name in ["circle-exact", "grid", "grid-tilted-exact", "parallel-lines", "few-columns"] {
+        let Points::Plane(points) = delone_workloads::generate(name, 900, 1).unwrap().points else {
+            panic!("{name} is of the plane");
+        };
+        let (_, counts) = check(&points);
+        assert_eq!(counts.flips, 0, "Inv 5 on {name}");
     }
 }
 

@@ -110,3 +110,18 @@ fn a_probe_stops_what_can_be_stopped_and_nothing_else() {
         assert_eq!(result.canonical(), whole.canonical(), "{}", algorithm.name);
     }
 }
+
+/// [ACR03]: the walk is short wherever sites are near those before; also in a cluster narrower than a square of the curve's grid.
+#[test]
+fn a_narrow_cluster_is_walked_as_a_wide_one() {
+    let sites = uniform::<2>(4000);
+    let narrow = |&[x, y]: &[f64; 2]| [x * 2f64.powi(-90), y * 2f64.powi(-90)];
+    let both: Vec<[f64; 2]> =
+        sites.points().iter().copied().chain(sites.points().iter().map(narrow)).collect();
+    let both = Sites::new(&both).unwrap();
+    let steps = |sites| {
+        let counts = counts(sites, Order::Brio);
+        ratio(counts.walk_steps, counts.sites)
+    };
+    assert!(steps(&both) < 1.5 * steps(&sites), "{} {}", steps(&both), steps(&sites));
+}

@@ -9,8 +9,7 @@ fn vertical(sites: &Sites<2>, probe: &mut impl Probe) -> Mesh<2> {
     let mut arrays = Arrays::new(order.len());
     let patch = Patch::new(&mut arrays.apexes, &mut arrays.twins);
     solve_across_x(&mut Work { patch, kernel: &kernel, probe, names: order }, 0, count(order));
-    arrays.apexes.iter_mut().for_each(|vertex| rename(vertex, order));
-    arrays.into_mesh()
+    arrays.into_mesh(order)
 }
 
 fn solve_across_x<K: Kernel<2>, P: Probe>(work: &mut Work<'_, K, P>, i: Place, j: Place) -> Hull {
