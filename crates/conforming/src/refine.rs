@@ -25,6 +25,7 @@
 //! | a centre rounds to a vertex, or the walk there fails | the triangle is listed as [`Reason::Unreachable`] | `doubles_too_coarse_are_reported` |
 //! | a centre on a free edge | both triangles are split | `a_square_is_refined` |
 //! | a centre on a segment | the segment is split, exactly | `a_square_is_refined` |
+//! | a point on an edge of the hull that is no piece | the edge is cut; the point is never taken out | `a_point_on_a_bare_hull_stays` |
 //! | all sites in line, or nothing inside | nothing to refine | `nothing_inside_is_nothing_to_do` |
 
 mod centre;
@@ -276,7 +277,10 @@ impl Work<'_> {
                 let h = if side { self.live.mesh.twin(h) } else { h };
                 let v = self.live.mesh.apex(h);
                 let is_free = self.live.steiner_of(v) == Some(&Steiner::Free);
-                if !is_free || !crate::split::encroaches(&self.live, piece, v) {
+                if !is_free
+                    || !crate::split::encroaches(&self.live, piece, v)
+                    || self.is_on_hull(v, h.cell())
+                {
                     break;
                 }
                 self.live.remove_free(v, h.cell(), probe);
@@ -290,6 +294,12 @@ impl Work<'_> {
                 }
             }
         }
+    }
+
+    /// Whether a vertex of this cell is on the hull. A free one is if a point came to lie on an edge of the hull that is no piece; there is no
+    /// polygon around it to be triangulated anew.
+    fn is_on_hull(&self, v: VertexId, cell: CellId) -> bool {
+        self.live.mesh.ring(v, cell).any(|spoke| self.live.mesh.is_ghost(spoke.cell()))
     }
 
     /// Looks at what a new vertex has brought about.

@@ -138,3 +138,17 @@ fn cells_of(live: &Live) -> Vec<CellId> {
     number.truncate(mesh.cell_count());
     number
 }
+
+/// The hull is inside, and no segment is on it.
+#[test]
+fn a_point_on_a_bare_hull_stays() {
+    let points = [[0.0, 0.0], [4.0, 0.0], [-2.0, -8.0], [0.0, 1.0]];
+    let graph = Pslg::new(&points, &[[0, 2], [1, 2]]).unwrap();
+    for (centre, encroachment) in METHODS {
+        let limits = Limits { vertices_max: 200 };
+        let options = RefineOptions { centre, encroachment, limits, ..RefineOptions::default() };
+        let refined = refine(&graph, &Fill::Hull, &options, &mut ()).unwrap();
+        let verdict = judged(&graph, refined.triangulation(), Promise::Constrained);
+        assert!(verdict.ok, "{centre:?} {encroachment:?}: {verdict}");
+    }
+}
