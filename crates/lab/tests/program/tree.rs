@@ -137,10 +137,11 @@ fn a_quadtree_is_drawn_bounded_and_triangulated() {
     let object: Value = serde_json::from_str(&with(&words)).unwrap();
     let triangles = object["triangles"].as_u64().unwrap();
     let off = std::fs::read_to_string(folder.path().join("mesh.off")).unwrap();
+    // nOFF, the dimension, counts, vertices, faces.
     let counts: Vec<usize> =
-        off.lines().nth(1).unwrap().split(' ').map(|word| word.parse().unwrap()).collect();
+        off.lines().nth(2).unwrap().split(' ').map(|word| word.parse().unwrap()).collect();
     assert_eq!(counts[1] as u64, triangles);
-    let faces = off.lines().skip(2 + counts[0]);
+    let faces = off.lines().skip(3 + counts[0]);
     assert_eq!(faces.filter(|line| line.starts_with("3 ")).count() as u64, triangles);
     let rows = with(&["tree", "growth", "diamond.poly", "--from", "2", "--to", "5", "--json"]);
     assert_eq!(rows.lines().count(), 4);
