@@ -48,22 +48,16 @@ fn a_shuttle_walks_to_and_fro_in_the_order_given() {
     assert!(cost(Order::Brio) < 2.8, "{}", cost(Order::Brio));
 }
 
-/// Strips without horizontal cuts would make cells at each of log n levels; by turns it is half of them, and still the most there is.
+/// Strips without horizontal cuts would make cells at each of log n levels; by turns it is half of them, and still nearly twice what uniform sites take.
 #[test]
 fn a_shuffled_column_is_the_worst_of_merges() {
     let made = |name| counts(name, 2000, "divide-conquer", Order::Brio).cells_made;
     assert!(
-        made("shuffled-column") > 2 * made("uniform"),
+        2 * made("shuffled-column") > 3 * made("uniform"),
         "{} {}",
         made("shuffled-column"),
         made("uniform")
     );
-}
-
-#[test]
-fn a_beach_has_half_of_the_sites_on_its_line() {
-    let steps = |name| counts(name, 2000, "sweep", Order::Brio).circle_events;
-    assert!(steps("beach") > steps("uniform"), "{} {}", steps("beach"), steps("uniform"));
 }
 
 #[test]
@@ -84,10 +78,11 @@ fn lines_and_curves_of_space_have_quadratically_many_cells() {
     }
 }
 
-/// Segments of a ladder, one by one, cross quadratically many edges; Chew's algorithm meets none of them.
+/// Segments of a ladder, flipped in one by one, cross quadratically many edges; for cavities, and for Chew's algorithm, twice as many cost
+/// little more than twice as much.
 #[test]
-fn a_ladder_is_quadratic_for_insertion_alone() {
-    let cost = |name: &str| {
+fn a_ladder_is_quadratic_for_flips_alone() {
+    let cost = |name: &str, of: fn(&Counts) -> u64| {
         growth(|n| {
             let input = find("ladder").unwrap().generate(n, 1);
             let segments: Vec<[usize; 2]> =
@@ -97,9 +92,12 @@ fn a_ladder_is_quadratic_for_insertion_alone() {
             let algorithm = all.iter().find(|known| known.name == name).unwrap();
             let mut counts = Counts::default();
             let _cdt = (algorithm.run_with)(&pslg, &Options::default(), &mut counts);
-            counts.edges_crossed + counts.orients
+            of(&counts)
         })
     };
-    assert!(cost("cavity") > 3.0 && cost("flips") > 3.0, "{} {}", cost("cavity"), cost("flips"));
-    assert!(cost("chew") < 2.6, "{}", cost("chew"));
+    let crossed = |counts: &Counts| counts.edges_crossed;
+    assert!(cost("flips", crossed) > 3.0, "{}", cost("flips", crossed));
+    assert!(cost("cavity", crossed) < 2.6, "{}", cost("cavity", crossed));
+    let orients = cost("chew", |counts| counts.orients);
+    assert!(orients < 2.6, "{orients}");
 }

@@ -28,7 +28,7 @@ const PLANTED: [(Fault, &str, u64); 18] = [
     (Fault::TiesByIndex, "delaunay-2d", 200),
     (Fault::TiesInside, "delaunay-2d", 200),
     (Fault::LastOfSeven, "delaunay-2d", 200),
-    (Fault::ThroughVertexLost, "cdt", 200),
+    (Fault::ThroughVertexLost, "cdt", 800),
     (Fault::FlipsConstraints, "cdt", 200),
     (Fault::NeverRestores, "cdt", 400),
     (Fault::SixSegments, "cdt", 400),

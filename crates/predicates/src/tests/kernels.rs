@@ -91,7 +91,7 @@ fn stages_are_counted() {
     let orientations = [
         ([0usize, 1, 2], Stage::StaticFilter),
         ([0, 1, 5], Stage::DynamicFilter),
-        ([0, 3, 4], Stage::TwoLimbs),
+        ([0, 3, 4], Stage::Distilled),
         ([8, 7, 3], Stage::LeadingTerms),
         ([1, 3, 5], Stage::LongSum),
     ];

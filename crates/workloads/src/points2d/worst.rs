@@ -1,4 +1,5 @@
-//! The worst cases of algorithms, in the order given: what each costs there is pinned in `tests/tests/worst_cases.rs`.
+//! The worst cases of algorithms, in the order given: what they cost there, but for the beach line's length, is pinned in
+//! `tests/tests/worst_cases.rs`.
 //!
 //! ```text
 //!    falling          shuttle                      column        beach            wheel
