@@ -10,6 +10,7 @@
 //! | `predicates` | the exact sign | 10^5 calls, over the full range of doubles |
 //! | `constructed` | the mesh of similar plain points; that by rationals | algorithms over constructed points |
 //! | `cgal`, `spade` | the same triangulation as another program's | workloads, and the collected files |
+//! | `gudhi` | the same alpha values as another program's | workloads, small integers, the collected files |
 //! | `dimensions` | Qhull's cells, in general position; validity | four, five and six dimensions |
 //! | `trees` | exact areas and volumes between; codes, sets and components, these as scipy's | workloads, and the collected files |
 //! | `generated` | all laws, shrinking what fails | the first cases of every target of the fuzzer |
@@ -18,12 +19,13 @@
 //! **Order of trust** where programs disagree: the judge (`delone::check`), CGAL, spade.
 //!
 //! **In.** Nothing. The collected files are looked for in `../shared/data`, beside the workspace, or in the folder that
-//! `DELONE_DATA` names; CGAL at `target/peers/cgal` (`cargo xtask setup`). What is not there is skipped, and said so.
+//! `DELONE_DATA` names; CGAL at `target/peers/cgal` (`cargo xtask setup`). Gudhi in the
+//! Python that `DELONE_PYTHON` names, or in `python3`. What is not there is skipped, and said so.
 //! With `DELONE_LONG=1` the largest files are taken as well. `DELONE_CASES` and `DELONE_SEED` say how many generated inputs,
 //! and which: `DELONE_CASES=1000000 cargo test --release -p delone-tests --test generated algorithms_agree`.
 //!
 //! **Modules.** [`case`] one input; [`corpus`] all of them, of [`hand`] and [`data`]; [`judge`] and [`cells`] what is
-//! compared; [`laws`]; [`generated`] inputs that shrink; [`cgal`], [`qhull`] and [`scipy`] the opponents.
+//! compared; [`laws`]; [`generated`] inputs that shrink; [`cgal`], [`gudhi`], [`qhull`] and [`scipy`] the opponents.
 
 #![expect(clippy::missing_panics_doc, reason = "panicking is how a test's helper speaks")]
 
@@ -31,6 +33,7 @@ pub mod cgal;
 pub mod corpus;
 pub mod data;
 pub mod generated;
+pub mod gudhi;
 pub mod hand;
 pub mod qhull;
 pub mod scipy;

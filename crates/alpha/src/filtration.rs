@@ -195,7 +195,8 @@ fn own_ranks<const D: usize>(
     kernel: &impl Metric<D>,
     attached: &[bool],
 ) -> (Vec<u32>, Vec<u32>) {
-    let mut measured = Vec::new();
+    let own = attached.iter().filter(|&&is_attached| !is_attached).count();
+    let mut measured = Vec::with_capacity(own);
     for k in 0..simplices.dimension().map_or(0, |top| top + 1) {
         for (id, vertices, _) in simplices.level(k).filter(|&(id, ..)| !attached[id]) {
             let mut buffer = [Site(0); 8];
@@ -209,14 +210,32 @@ fn own_ranks<const D: usize>(
             kernel.compare_radii(named(simplex(a), &mut of_a), named(simplex(b), &mut of_b))
         })
     };
-    measured.sort_unstable_by(compare);
+    // By lower bounds, without a branch; then where bounds overlap, in truth.
+    measured.sort_unstable_by(|a, b| a.bounds[0].total_cmp(&b.bounds[0]));
     let (mut ranks, mut spectrum) = (vec![u32::MAX; attached.len()], Vec::new());
-    for equal in measured.chunk_by(|a, b| compare(a, b) == Ordering::Equal) {
-        let rank = narrow(spectrum.len());
-        equal.iter().for_each(|m| ranks[m.simplex as usize] = rank);
-        spectrum.extend(equal.iter().map(|m| m.simplex).min());
+    let mut rest = &mut measured[..];
+    while !rest.is_empty() {
+        let (cluster, others) = rest.split_at_mut(overlapping(rest));
+        cluster.sort_unstable_by(compare);
+        for equal in cluster.chunk_by(|a, b| compare(a, b) == Ordering::Equal) {
+            let rank = narrow(spectrum.len());
+            equal.iter().for_each(|m| ranks[m.simplex as usize] = rank);
+            spectrum.extend(equal.iter().map(|m| m.simplex).min());
+        }
+        rest = others;
     }
     (ranks, spectrum)
+}
+
+/// How many of the first, in order of lower bounds, are joined by overlaps of bounds: at least one, and all others are greater.
+fn overlapping(measured: &[Measured]) -> usize {
+    let mut reach = f64::NEG_INFINITY;
+    let joined = measured.iter().enumerate().take_while(|&(i, m)| {
+        let is_joined = i == 0 || m.bounds[0] <= reach;
+        reach = reach.max(m.bounds[1]);
+        is_joined
+    });
+    joined.count()
 }
 
 /// Gives the attached simplices the least rank of their cofaces; for each simplex, whose sphere gives its value.

@@ -22,7 +22,7 @@
 //! | [`AlphaFiltration`] | \[EM94\], \[Ede92\] | O(N log N) | first: values of all N simplices |
 //! | [`AlphaParam`], [`AlphaFiltration::cut`] | | O(log N) | to name one complex, by convention |
 //! | [`AlphaFiltration::intervals`], [`AlphaFiltration::classify`] | \[EM94\] | O(N) | singular, regular, interior |
-//! | [`AlphaFiltration::polygons`] | | O(N) | the boundary, in the plane |
+//! | [`AlphaFiltration::polygons`], [`Polygons::hull_arcs`] | \[EM94\] | O(N) | the boundary, in the plane |
 //! | [`AlphaFiltration::betti_curves`], [`AlphaFiltration::simplex_curves`], [`AlphaFiltration::plane_measures`] | \[DE95\] | near O(N) | signatures |
 //! | [`AlphaFiltration::persistence`] | \[ELZ02\], \[BKR14\] | near O(N) in the plane | what lives how long |
 //!
@@ -32,7 +32,7 @@
 //! ranks of exact values; closed balls; nothing has a tolerance. Values that are told as doubles are the nearest ones.
 //! Deterministic: equal values, Betti numbers and bars of some length do not depend on how ties were broken.
 //!
-//! **Not here.** Triangulation (`delone-delaunay`), pictures (`delone-draw`), arcs of alpha hulls, areas of unions of balls.
+//! **Not here.** Triangulation (`delone-delaunay`), pictures (`delone-draw`), areas of unions of balls.
 
 mod betti;
 mod bulk;

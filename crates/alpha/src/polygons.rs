@@ -49,6 +49,24 @@ pub struct Polygons {
     pub vertices: Vec<u32>,
 }
 
+impl Polygons {
+    /// The edges that bound the alpha hull, as arcs do there: each with the shape on its left, those in no triangle both ways. The arc
+    /// of an edge is the shorter one, on its left, of the circle of the cut's radius through its ends. That circle's disk lies on the
+    /// other side and holds no site inside; the hull is what no such disk covers \\[EM94\\]. Without weights.
+    #[must_use]
+    pub fn hull_arcs(&self) -> Vec<[u32; 2]> {
+        let rings = self
+            .regions
+            .iter()
+            .flat_map(|region| std::iter::once(&region.outer).chain(&region.holes));
+        let around = rings.flat_map(|ring| {
+            let next = ring.iter().cycle().skip(1);
+            ring.iter().zip(next).map(|(&a, &b)| [a, b])
+        });
+        around.chain(self.edges.iter().flat_map(|&[a, b]| [[a, b], [b, a]])).collect()
+    }
+}
+
 /// The edges of triangles that are in: edge `i` of triangle `t` is `3 t + i`, counter-clockwise, opposite its corner `i`.
 struct Sides {
     /// By triangle of the complex, its vertices counter-clockwise.

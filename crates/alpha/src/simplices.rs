@@ -220,6 +220,9 @@ fn distinct<const W: usize>(
     for bucket in 0..buckets {
         ends[bucket + 1] += ends[bucket];
     }
+    if W == 1 {
+        return vertices_alone(&ends, keys.map(|key| key[0]), told);
+    }
     let total = ends[buckets] as usize;
     let mut dealt = vec![([0; W], 0u32); total];
     let mut next = ends.clone();
@@ -231,7 +234,7 @@ fn distinct<const W: usize>(
     let (mut vertices, mut count) = (Vec::new(), 0u32);
     for bucket in 0..buckets {
         let dealt = &mut dealt[ends[bucket] as usize..ends[bucket + 1] as usize];
-        dealt.sort_unstable();
+        sort(dealt);
         for same in dealt.chunk_by(|a, b| a.0 == b.0) {
             vertices.extend_from_slice(&same[0].0);
             same.iter().for_each(|&(_, place)| told(place as usize, count));
@@ -239,6 +242,32 @@ fn distinct<const W: usize>(
         }
     }
     vertices.shrink_to_fit();
+    vertices
+}
+
+/// Sorts keys with the same first vertex; the other vertices and the place are compared as one number where they fit.
+fn sort<const W: usize>(dealt: &mut [([u32; W], u32)]) {
+    let packed = |(key, place): &([u32; W], u32)| {
+        key[1..].iter().chain([place]).fold(0, |number, &x| number << 32 | u128::from(x))
+    };
+    if W <= 4 {
+        dealt.sort_unstable_by_key(packed);
+    } else {
+        dealt.sort_unstable();
+    }
+}
+
+/// The same for keys of one vertex, which their buckets tell apart.
+fn vertices_alone(
+    ends: &[u32],
+    keys: impl Iterator<Item = u32>,
+    mut told: impl FnMut(usize, u32),
+) -> Vec<u32> {
+    let is_there = |vertex: &u32| ends[*vertex as usize] < ends[*vertex as usize + 1];
+    let vertices: Vec<u32> = (0..narrow(ends.len() - 1)).filter(is_there).collect();
+    let mut ids = vec![0; ends.len() - 1];
+    (0u32..).zip(&vertices).for_each(|(id, &vertex)| ids[vertex as usize] = id);
+    keys.enumerate().for_each(|(place, vertex)| told(place, ids[vertex as usize]));
     vertices
 }
 

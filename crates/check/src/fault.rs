@@ -89,6 +89,12 @@ pub enum Fault {
     OffSegment { point: u32, ends: Simplex },
     /// A vertex is in the closed diametral disk of a subsegment.
     EncroachedEdge { edge: Simplex, by: Witness },
+    /// A simplex is no face of the cells, or was told before.
+    ExtraSimplex { simplex: Simplex },
+    /// A face of the cells was not told.
+    MissingSimplex { simplex: Simplex },
+    /// The value of a simplex is another.
+    WrongValue { simplex: Simplex, claimed: String, value: String },
     /// A cell has the ghost vertex twice.
     TwoGhosts { cell: usize },
     /// A twin is not the number of a facet.
@@ -144,6 +150,9 @@ impl Fault {
             Self::WrongSide { .. } => "wrong-side",
             Self::OffSegment { .. } => "off-segment",
             Self::EncroachedEdge { .. } => "encroached-edge",
+            Self::ExtraSimplex { .. } => "extra-simplex",
+            Self::MissingSimplex { .. } => "missing-simplex",
+            Self::WrongValue { .. } => "wrong-value",
             Self::TwoGhosts { .. } => "two-ghosts",
             Self::TwinOutOfRange { .. } => "twin-out-of-range",
             Self::TwinNotMutual { .. } => "twin-not-mutual",

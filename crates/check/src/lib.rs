@@ -31,6 +31,7 @@
 //! | [`judge_arranged`] | the same where segments cross, crossings being vertices | sorts, big ratios |
 //! | [`judge_conforming`] | the same with Steiner points, exactly on their segments | sorts, big ratios |
 //! | [`judge_fill`] | what is inside, by a rule | a ray for each region |
+//! | [`judge_alpha`] | alpha filtrations: every simplex's value | the first two, and 2^D determinants a simplex |
 //! | [`judge_links`] | the twins and ghosts of a mesh | sorting |
 //! | [`naive`] | answers by definition, for tests | polynomial of high degree |
 //!
@@ -46,13 +47,14 @@
 //! the hull is global. Ties: by the perturbation that raises each height `|p|^2` by an
 //! infinitesimal that grows with lexicographic rank. It depends on no order of input.
 //!
-//! **Not here.** Carved domains, alpha complexes;
+//! **Not here.** Carved domains;
 //! predicates of the algorithms, of which nothing is used; drawing; JSON (every field of a verdict
 //! is public, every fault has a text and a [kind](Fault::kind)).
 //!
 //! **Modules.** `exact` numbers, `space` predicates, `facets` pairing, `sites` T8, `cells` T1 T2,
-//! `triangulation` T3 T6 T7, `hull` T5 and the ray, `local` D2, `regular` hidden points, `chains` K2 K3 K4, `links` T4.
+//! `triangulation` T3 T6 T7, `hull` T5 and the ray, `local` D2, `alpha` A1 A2, `regular` hidden points, `chains` K2 K3 K4, `links` T4.
 
+mod alpha;
 mod arranged;
 mod cells;
 mod chains;
@@ -77,6 +79,7 @@ mod testing;
 mod triangulation;
 mod verdict;
 
+pub use alpha::judge_alpha;
 pub use arranged::{Arranged, judge_arranged};
 pub use cells::Complex;
 pub use conforming::{Conformed, Promise, SteinerPoint, judge_conforming};

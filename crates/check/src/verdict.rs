@@ -26,6 +26,8 @@ pub enum Level {
     WeaklyRegular,
     /// The regular triangulation that the perturbation selects.
     Regular,
+    /// An alpha filtration, ties of its triangulation resolved in any way.
+    AlphaFiltration,
     /// A Delaunay triangulation, ties resolved in any way.
     WeaklyDelaunay,
     /// The Delaunay triangulation that the perturbation selects.
@@ -46,6 +48,7 @@ impl Level {
             Self::Conforming => "conforming delaunay",
             Self::WeaklyRegular => "weakly regular",
             Self::Regular => "regular",
+            Self::AlphaFiltration => "alpha filtration",
             Self::WeaklyDelaunay => "weakly delaunay",
             Self::Delaunay => "delaunay",
         }
@@ -125,6 +128,11 @@ impl Report {
             ties: 0,
             duplicates: 0,
         };
+        Self { verdict, faults_max }
+    }
+
+    /// One that goes on from a verdict.
+    pub(crate) fn resumed(verdict: Verdict, faults_max: usize) -> Self {
         Self { verdict, faults_max }
     }
 

@@ -25,6 +25,7 @@
 //! | [`panels()`] | several pictures on one sheet | before and after |
 //! | [`Solid`] | a tetrahedral mesh as SVG: shaded boundary, wires inside | up to some 10,000 facets |
 //! | [`Plot`] | curves on logarithmic axes, with their exponents | how a cost grows |
+//! | [`barcode`], [`betti_curves`] | classes of persistent homology, Betti numbers | what lives how long |
 //! | [`Rasters`] | fields of signs or classes, side by side in rows | maps of predicates |
 //! | [`DomainSheet`] | cells, trees, cubes and codes of quadtrees and octrees | up to some 1,000 nodes |
 //! | [`Scene`] | layers to switch, steps to go through, in a report | what an algorithm did |
@@ -42,6 +43,7 @@
 //!
 //! Not here: layout of graphs, geometry (circumcircles apart), reading clocks or files.
 
+mod classes;
 mod domain;
 mod frame;
 mod html;
@@ -53,10 +55,11 @@ mod solid;
 mod svg;
 mod text;
 
+pub use classes::{Class, barcode, betti_curves};
 pub use domain::{Block, Cube, DomainSheet, Panel, Shade};
 pub use html::{Anchor, Cell, Report, SVG_EDGES_MAX, Scene, Span, Step, Table, Tone};
 pub use plot::{Plot, Series};
 pub use rasters::{Raster, Rasters};
 pub use slider::Slider;
 pub use solid::Solid;
-pub use svg::{Aspect, Dots, Exploded, Picture, Style, panels};
+pub use svg::{Arc, Aspect, Dots, Exploded, Picture, Style, panels};

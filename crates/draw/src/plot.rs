@@ -34,7 +34,7 @@ const TOP: f64 = 40.0;
 const BOTTOM: f64 = 48.0;
 
 /// Colours that stay apart for most eyes, in print too (Okabe and Ito).
-const COLOURS: [&str; 7] =
+pub(crate) const COLOURS: [&str; 7] =
     ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#666666"];
 
 impl Series {

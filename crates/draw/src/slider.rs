@@ -21,6 +21,7 @@ const SCRIPT: &str = include_str!("slider/slider.js");
 ///     values: &["0".into(), "0.5".into(), "0.707".into()],
 ///     numbers: &["0, 0".into(), "3, 0".into(), "1, 0".into(), "1, 0".into()],
 ///     start: 2,
+///     figures: &[],
 /// };
 /// assert!(page.html().contains("<canvas"));
 /// ```
@@ -44,6 +45,8 @@ pub struct Slider<'a> {
     pub numbers: &'a [String],
     /// How many ranks are in at first.
     pub start: usize,
+    /// Pictures to show below, as `<svg>` elements.
+    pub figures: &'a [String],
 }
 
 impl Slider<'_> {
@@ -62,8 +65,9 @@ impl Slider<'_> {
              input {{ width: 100% }}</style>\n</head>\n<body>\n<h1>{title}</h1>\n\
              <canvas id=\"plate\" width=\"{width}\" height=\"{height}\" role=\"img\" aria-label=\"{title}\"></canvas>\n\
              <p><input id=\"cut\" type=\"range\" min=\"0\" max=\"{most}\" value=\"{}\" aria-label=\"rank\"/></p>\n\
-             <p><button id=\"play\">play</button> <span id=\"said\"></span></p>\n<script>//<![CDATA[\n",
-            self.start.min(most)
+             <p><button id=\"play\">play</button> <span id=\"said\"></span></p>\n{}<script>//<![CDATA[\n",
+            self.start.min(most),
+            self.figures.concat(),
         );
         let places = layout.places.iter().map(|place| {
             place.map_or("null".to_owned(), |[x, y]| format!("[{},{}]", Short(x), Short(y)))

@@ -37,6 +37,17 @@ pub struct Picture<'a> {
     /// Polygons by their corners, such as the regions of Voronoi's diagram, drawn as outlines. The picture is as large as they
     /// ask for; one with a corner that is not finite is left out.
     pub regions: &'a [Vec<[f64; 2]>],
+    /// Arcs of circles.
+    pub arcs: &'a [Arc],
+}
+
+/// The shorter arc of a circle from one point to another, to the left of the way.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Arc {
+    /// Indices of its ends.
+    pub ends: [u32; 2],
+    /// The circle's radius, at least half the distance of the ends.
+    pub radius: f64,
 }
 
 /// How to draw it.

@@ -362,6 +362,8 @@ pub(crate) enum Claim {
     Cdt,
     /// The regular triangulation of points with weights
     Regular,
+    /// The alpha filtration, as `delone alpha --filtration` lists it: each simplex with its squared radius
+    Alpha,
 }
 
 #[derive(Args)]

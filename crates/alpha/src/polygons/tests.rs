@@ -140,3 +140,57 @@ fn lobes_of_a_hole_may_meet() {
     }
     assert!(check(&points) > 0);
 }
+
+/// Whether a circle of this squared radius, a fraction, goes from a to b with its centre on the right, and no point is inside.
+/// With e = b - a, n = e turned right, m the middle: the centre is m + s n with s^2 = r^2 / e^2 - 1 / 4, and a point m + q inside if
+/// q^2 - e^2 / 4 < 2 s n q. Small integers: exact in doubles.
+fn is_empty_on_the_right(
+    points: &[[f64; 2]],
+    [a, b]: [usize; 2],
+    [above, below]: [f64; 2],
+) -> bool {
+    let dot = |u: [f64; 2], v: [f64; 2]| u[0] * v[0] + u[1] * v[1];
+    let (p, q) = (points[a], points[b]);
+    let e = [q[0] - p[0], q[1] - p[1]];
+    let (n, length) = ([e[1], -e[0]], dot(e, e));
+    // 16 s^2, times the radius's denominator and e^2.
+    let s = 16.0 * above - 4.0 * below * length;
+    let is_inside = |point: &[f64; 2]| {
+        let twice = [0, 1].map(|axis| 2.0 * point[axis] - p[axis] - q[axis]);
+        let (power, along) = (dot(twice, twice) - length, dot(n, twice));
+        let (left, right) = (power * power * below * length, s * along * along);
+        if along > 0.0 { power < 0.0 || left < right } else { power < 0.0 && left > right }
+    };
+    s >= 0.0 && !points.iter().any(is_inside)
+}
+
+#[test]
+fn hull_arcs_are_those_of_the_definition() {
+    let mut rng = Rng::new(11);
+    let mut arcs = 0;
+    for _ in 0..80 {
+        let points: Vec<[f64; 2]> = (0..8).map(|_| [0; 2].map(|_| rng.below(5) as f64)).collect();
+        let sites = delone_sites::Sites::new(&points).unwrap();
+        let points = sites.points();
+        let filtration = of(points);
+        let values: Vec<[f64; 2]> = filtration
+            .spectrum()
+            .map(|value| [value.numerator().to_f64(), value.denominator().to_f64()])
+            .collect();
+        // Between two values no circle goes through three sites and is empty.
+        for (cut, pair) in (1..).map(Cut::new).zip(values.windows(2)) {
+            let [[a, b], [c, d]] = [pair[0], pair[1]];
+            let middle = [a * d + c * b, 2.0 * b * d];
+            let pairs = (0..points.len()).flat_map(|a| (0..points.len()).map(move |b| [a, b]));
+            let expected: Vec<[u32; 2]> = pairs
+                .filter(|&ends| ends[0] != ends[1] && is_empty_on_the_right(points, ends, middle))
+                .map(|ends| ends.map(narrow))
+                .collect();
+            let mut ours = filtration.polygons(cut).hull_arcs();
+            ours.sort_unstable();
+            assert_eq!(ours, expected, "{points:?}, {middle:?}");
+            arcs += ours.len();
+        }
+    }
+    assert!(arcs > 3000, "{arcs}");
+}

@@ -37,6 +37,9 @@ impl Display for Fault {
             | Self::UnusedPoint { .. }
             | Self::DuplicatePoint { .. }
             | Self::SegmentOutOfRange { .. } => fmt_input(self, f),
+            Self::ExtraSimplex { .. } | Self::MissingSimplex { .. } | Self::WrongValue { .. } => {
+                fmt_filtration(self, f)
+            }
             Self::TwoGhosts { .. }
             | Self::TwinOutOfRange { .. }
             | Self::TwinNotMutual { .. }
@@ -190,6 +193,19 @@ fn fmt_constraints(fault: &Fault, f: &mut Formatter<'_>) -> Result {
         }
         Fault::FlagNotEdge { ends: [a, b] } => {
             write!(f, "{a} {b} is flagged as constrained and is not an edge")
+        }
+        _ => f.write_str(fault.kind()),
+    }
+}
+
+fn fmt_filtration(fault: &Fault, f: &mut Formatter<'_>) -> Result {
+    match fault {
+        Fault::ExtraSimplex { simplex } => {
+            write!(f, "{} is no face of a cell, or told twice", List(simplex))
+        }
+        Fault::MissingSimplex { simplex } => write!(f, "the face {} is missing", List(simplex)),
+        Fault::WrongValue { simplex, claimed, value } => {
+            write!(f, "{} has the value {value} and not {claimed}", List(simplex))
         }
         _ => f.write_str(fault.kind()),
     }

@@ -11,6 +11,7 @@ fn a_page_is_well_formed_and_holds_every_simplex() {
         triangle_ranks: &[2],
         values: &["0".to_owned(), "0.5".to_owned(), "]]></script>".to_owned()],
         numbers: &["0".to_owned()],
+        figures: &["<svg/>".to_owned()],
         start: 9,
     }
     .html();

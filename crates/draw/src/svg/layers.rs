@@ -1,6 +1,6 @@
 //! The layers of a picture, from the fills below to the numbers on top.
 
-use super::{Dots, Layout, Picture, Style};
+use super::{Arc, Dots, Layout, Picture, Style};
 use crate::text::Short;
 use std::fmt::Write;
 
@@ -32,6 +32,7 @@ impl<'a> Layers<'a> {
         let strong = (2.2 * thin).max(0.8);
         lines(out, layout, self.picture.segments, "segment", "#123a7a", strong);
         lines(out, layout, self.picture.highlights, "highlight", "#d3222a", 1.3 * strong);
+        self.arcs(out, strong);
         self.dots(out);
         if self.style.edges_numbered {
             self.edge_numbers(out, &edges);
@@ -98,6 +99,33 @@ impl<'a> Layers<'a> {
             }
         }
         out.push_str("</g>");
+    }
+
+    /// Left out on stretched axes, as circles are ellipses there. The screen's length of a chord says how long a radius is.
+    fn arcs(&self, out: &mut String, width: f64) {
+        let mut d = String::new();
+        for &Arc { ends, radius } in self.picture.arcs {
+            let point = |v: u32| usize::try_from(v).ok().and_then(|v| self.picture.points.get(v));
+            let ([Some(p), Some(q)], [Some(from), Some(to)]) =
+                (ends.map(point), ends.map(|v| self.layout.place(v)))
+            else {
+                continue;
+            };
+            let chord = |p: [f64; 2], q: [f64; 2]| (q[0] - p[0]).hypot(q[1] - p[1]);
+            let scaled = radius / chord(*p, *q) * chord(from, to);
+            if self.layout.stretched || !scaled.is_finite() {
+                continue;
+            }
+            let (r, [x, y], [u, v]) = (Short(scaled), from.map(Short), to.map(Short));
+            let _ = write!(d, "M{x} {y}A{r} {r} 0 0 1 {u} {v}");
+        }
+        if !d.is_empty() {
+            let _ = write!(
+                out,
+                "<path class=\"arc\" fill=\"none\" stroke=\"#b8642b\" stroke-width=\"{}\" d=\"{d}\"/>",
+                Short(width)
+            );
+        }
     }
 
     fn dots(&self, out: &mut String) {

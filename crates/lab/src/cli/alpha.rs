@@ -56,10 +56,14 @@ pub(crate) struct Alpha {
     /// Write the complex, in the format of the ending; may be repeated
     #[arg(short, long = "output", value_name = "OUT")]
     pub(crate) outputs: Vec<PathBuf>,
-    /// Draw the complex
+    /// Draw the alpha hull too: the arcs of the disks that no site is in; in the plane, without weights. For conventions that name no
+    /// radius, that of the last simplex
+    #[arg(long, requires = "svg")]
+    pub(crate) hull: bool,
+    /// Draw the complex; of lists, Betti numbers as curves, or persistence as bars and diagram
     #[arg(long, value_name = "FILE")]
     pub(crate) svg: Option<PathBuf>,
-    /// Write a page with a slider over all complexes, for points of the plane
+    /// Write a page with a slider over all complexes, Betti numbers and bars, for points of the plane
     #[arg(long, value_name = "FILE")]
     pub(crate) html: Option<PathBuf>,
     #[command(flatten)]

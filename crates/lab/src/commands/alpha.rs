@@ -1,5 +1,7 @@
 //! `delone alpha`: read, triangulate, filter; then one complex, or a list of the whole filtration.
 
+mod figures;
+mod hull;
 mod lists;
 mod page;
 
@@ -7,7 +9,7 @@ use std::time::Instant;
 
 use delone_alpha::{AlphaFiltration, AlphaParam, Cut, SimplexId};
 use delone_delaunay::Fingerprint;
-use delone_draw::Style;
+use delone_draw::{Picture, Style};
 use delone_formats::Document;
 use serde_json::{Value, json};
 
@@ -28,8 +30,11 @@ pub(crate) fn alpha(arguments: &cli::Alpha) -> Result<(), Failure> {
     output::check_paths(files.map(std::path::PathBuf::as_path))?;
     let is_list =
         arguments.asked.filtration || arguments.asked.signature || arguments.asked.persistence;
-    if is_list && !(arguments.outputs.is_empty() && arguments.svg.is_none()) {
-        return Err(Failure::input("-o and --svg hold one complex: name a parameter"));
+    if is_list && !arguments.outputs.is_empty() {
+        return Err(Failure::input("-o holds one complex: name a parameter"));
+    }
+    if arguments.asked.filtration && arguments.svg.is_some() {
+        return Err(Failure::input("--svg draws one complex, --signature or --persistence"));
     }
     let busy = Busy::new(arguments.voice.quiet, "reading");
     let start = Instant::now();
@@ -38,6 +43,10 @@ pub(crate) fn alpha(arguments: &cli::Alpha) -> Result<(), Failure> {
     let subject = Subject::points(document)?;
     if arguments.html.is_some() && subject.document.dimension != 2 {
         return Err(Failure::input("--html is for the plane, and the input is in space"));
+    }
+    if arguments.hull && (is_list || !matches!(subject.body, Body::Plane(_))) {
+        let message = "--hull is of one complex of points of the plane, without weights";
+        return Err(Failure::input(message));
     }
     let read = start.elapsed().as_secs_f64();
     let start = Instant::now();
@@ -170,7 +179,14 @@ impl Task<'_> {
         if let Some(path) = &self.arguments.svg {
             let title = format!("alpha complex, {param:?}");
             let style = Style { title, ..Style::default() };
-            output::text(path, &Drawing::of_document(&document).svg(&style))?;
+            let drawing = Drawing::of_document(&document);
+            let svg = if self.arguments.hull {
+                let arcs = hull::arcs(self, param, cut, filtration);
+                Picture { arcs: &arcs, segments: &[], ..drawing.plane() }.svg(&style)
+            } else {
+                drawing.svg(&style)
+            };
+            output::text(path, &svg)?;
         }
         let mut object = self.head(filtration, build, cut);
         object["parameter"] = json!({ "convention": name, "value": value_of(param) });

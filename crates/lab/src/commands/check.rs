@@ -1,5 +1,7 @@
 //! `delone check`: the judge, on any program's output.
 
+mod filtration;
+
 use std::path::Path;
 
 use delone_check::{Complex, Options, Verdict, judge_constrained, judge_delaunay, judge_regular};
@@ -16,19 +18,25 @@ pub(crate) fn check(arguments: &cli::Check) -> Result<(), Failure> {
     let busy = Busy::new(arguments.voice.quiet, "reading");
     let mut given = input::read(&arguments.input, None)?;
     input::take_weights(&mut given, arguments.weights.file.as_deref())?;
-    let output = read_output(&arguments.output, &given)?;
     busy.at("judging");
-    let verdict = if given.dimension == 3 {
-        judge_space(arguments, &given, &output)?
+    let (name, verdict) = if arguments.kind == cli::Claim::Alpha {
+        let verdict = filtration::judge(&arguments.output, &given, &Options::foreign())?;
+        (arguments.output.display().to_string(), verdict)
     } else {
-        judge_plane(arguments, &given, &output)?
+        let output = read_output(&arguments.output, &given)?;
+        let verdict = if given.dimension == 3 {
+            judge_space(arguments, &given, &output)?
+        } else {
+            judge_plane(arguments, &given, &output)?
+        };
+        (output.name, verdict)
     };
     drop(busy);
     if arguments.voice.json {
         let object = json!({
             "schema": "delone.check/1",
             "input": { "path": given.name, "sites": given.point_count(), "segments": given.segments.len() },
-            "output": output.name,
+            "output": name,
             "check": check_value(&verdict),
         });
         println!("{object}");
@@ -64,7 +72,7 @@ fn judge_plane(
     let edges: Vec<[u32; 2]> =
         output.segments.iter().map(|ends| ends.map(|id| names[id as usize])).collect();
     Ok(match arguments.kind {
-        cli::Claim::Delaunay => judge_delaunay(&complex, &options(arguments)),
+        cli::Claim::Delaunay | cli::Claim::Alpha => judge_delaunay(&complex, &options(arguments)),
         cli::Claim::Regular => judge_regular(&complex, weights(given)?, &options(arguments)),
         cli::Claim::Cdt => {
             judge_constrained(&complex, &given.segments, &edges, &options(arguments))

@@ -137,3 +137,55 @@ fn a_slider_holds_every_complex() {
         .unwrap();
     assert_eq!(output.status.code(), Some(2), "space has no slider");
 }
+
+/// A list of a filtration is judged by definition; a value that is off by its last bit is found.
+#[test]
+fn filtrations_are_judged() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    for workload in ["grid", "uniform", "uniform-3d"] {
+        let points = path("points.node");
+        pipe(&["gen", workload, "-n", "30", "-o", &points], "");
+        for form in [&["--exact"][..], &["--json"], &[]] {
+            let words = [&["alpha", &points, "--filtration"], form].concat();
+            let list = pipe(&words, "");
+            let (right, wrong) = (path("right"), path("wrong"));
+            std::fs::write(&right, &list).unwrap();
+            let object = json(&["check", &points, &right, "--as", "alpha", "--json"], "");
+            assert_eq!(object["check"]["level"], "alpha filtration", "{object}");
+            // Some vertex's value, which is zero.
+            let (zero, other) = match form {
+                ["--exact"] => (" 0\n", " 1\n"),
+                ["--json"] => ("],0.0]", "],5e-324]"),
+                _ => (" 0.0\n", " 5e-324\n"),
+            };
+            assert!(list.contains(zero), "{list}");
+            std::fs::write(&wrong, list.replacen(zero, other, 1)).unwrap();
+            delone().args(["check", &points, &wrong, "--as", "alpha"]).assert().code(1);
+        }
+    }
+}
+
+/// Pictures of a filtration, and of an alpha hull with its arcs.
+#[test]
+fn filtrations_are_drawn() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let sample = sample("300", "uniform");
+    let draw = |words: &[&str]| {
+        let file = path("picture.svg");
+        pipe(&[&["alpha", "-"], words, &["--svg", &file]].concat(), &sample);
+        std::fs::read_to_string(&file).unwrap()
+    };
+    assert_eq!(draw(&["--signature"]).matches("class=\"betti\"").count(), 2);
+    assert!(draw(&["--persistence"]).matches("class=\"bar\"").count() > 100);
+    let hull = draw(&["--radius", "0.02", "--hull"]);
+    assert!(
+        hull.contains("class=\"arc\"") && !draw(&["--radius", "0.02"]).contains("class=\"arc\"")
+    );
+    delone()
+        .args(["alpha", "-", "--filtration", "--svg", &path("no.svg")])
+        .write_stdin(sample)
+        .assert()
+        .code(2);
+}

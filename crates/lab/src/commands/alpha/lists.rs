@@ -3,7 +3,7 @@
 use delone_alpha::{AlphaFiltration, Cut, SimplexId, fraction};
 use serde_json::{Value, json};
 
-use super::Task;
+use super::{Task, figures};
 use crate::failure::Failure;
 use crate::output;
 
@@ -28,6 +28,14 @@ pub(super) fn tell<const D: usize>(
             },
         )
         .collect();
+    if let Some(path) = &task.arguments.svg {
+        let svg = if asked.signature {
+            figures::betti_numbers(filtration)
+        } else {
+            figures::persistence(filtration)
+        };
+        output::text(path, &svg)?;
+    }
     let list = if asked.filtration {
         simplices(task, filtration, &values)
     } else if asked.signature {

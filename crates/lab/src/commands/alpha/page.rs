@@ -28,8 +28,8 @@ pub(super) fn slider<const D: usize>(
     let number = |ranks: u32| {
         betti.at(Cut::new(ranks)).iter().map(ToString::to_string).collect::<Vec<_>>().join(", ")
     };
-    let radius = |square: f64| square.abs().sqrt() * if square < 0.0 { -1.0 } else { 1.0 };
-    let values = filtration.spectrum().map(|value| format!("{:.6}", radius(value.to_f64())));
+    let values =
+        filtration.spectrum().map(|value| format!("{:.6}", super::figures::radius(&value)));
     Slider {
         title: &describe(task.subject),
         points: task.subject.document.points.as_chunks::<2>().0,
@@ -40,6 +40,10 @@ pub(super) fn slider<const D: usize>(
         values: &values.collect::<Vec<_>>(),
         numbers: &(0..=ranks).map(number).collect::<Vec<_>>(),
         start: cut.ranks() as usize,
+        figures: &[
+            super::figures::betti_numbers(filtration),
+            super::figures::persistence(filtration),
+        ],
     }
     .html()
 }
