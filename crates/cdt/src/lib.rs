@@ -59,7 +59,7 @@ pub use dynamic::{Dynamic, Kept};
 pub use flips::Blocked;
 pub use from_points::{chew_from_points, from_points};
 pub use regions::{RegionId, Regions};
-pub use registry::{Algorithm, algorithms, cavity, cdt_of_arrangement, chew, flips};
+pub use registry::{Algorithm, FromPoints, algorithms, cavity, cdt_of_arrangement, chew, flips};
 pub use result::Cdt;
 pub use triangulate2d::{Interior, InteriorError, triangulate2d};
 

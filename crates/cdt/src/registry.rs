@@ -4,10 +4,10 @@ use delone_delaunay::{KernelKind, Options, divide_conquer, divide_conquer_sorted
 use delone_mesh::{Mesh, VertexId};
 use delone_predicates::{Adaptive, Exact, PlaneKernel};
 use delone_probe::{Event, Probe};
-use delone_sites::{Arrangement, Pslg, sweep};
+use delone_sites::{Arrangement, Pslg, PslgError, sweep};
 
 use crate::flips::insert_by_flips;
-use crate::{Cdt, chain, insert_segments, naive};
+use crate::{Cdt, chain, chew_from_points, from_points, insert_segments, naive};
 
 /// One CDT algorithm.
 #[derive(Clone, Copy, Debug)]
@@ -24,7 +24,12 @@ pub struct Algorithm {
     pub run_with: fn(&Pslg, &Options, &mut dyn Probe) -> Cdt,
     /// Runs it on segments that may cross, and tells the probe; the kernel is that of the arrangement.
     pub run_crossed: fn(&Arrangement, &mut dyn Probe) -> Cdt,
+    /// From points and segments, if it has a shorter way there than over a noded graph.
+    pub from_points: Option<FromPoints>,
 }
+
+/// From points and segments (pairs of point indices) to the noded graph and its CDT.
+pub type FromPoints = fn(&[[f64; 2]], &[[usize; 2]]) -> Result<(Pslg, Cdt), PslgError>;
 
 /// All algorithms; the first is the one to take if nothing speaks for another.
 #[must_use]
@@ -37,6 +42,7 @@ pub fn algorithms() -> Vec<Algorithm> {
             run: |pslg, options| cavity(pslg, options, &mut ()),
             run_with: |pslg, options, mut probe| cavity(pslg, options, &mut probe),
             run_crossed: |graph, mut probe| crossed(Method::Cavity, graph, &mut probe),
+            from_points: Some(|points, segments| from_points(points, segments, &mut ())),
         },
         Algorithm {
             name: "chew",
@@ -45,6 +51,7 @@ pub fn algorithms() -> Vec<Algorithm> {
             run: |pslg, options| chew(pslg, options, &mut ()),
             run_with: |pslg, options, mut probe| chew(pslg, options, &mut probe),
             run_crossed: |graph, mut probe| crossed(Method::Chew, graph, &mut probe),
+            from_points: Some(|points, segments| chew_from_points(points, segments, &mut ())),
         },
         Algorithm {
             name: "flips",
@@ -53,6 +60,7 @@ pub fn algorithms() -> Vec<Algorithm> {
             run: |pslg, options| flips(pslg, options, &mut ()),
             run_with: |pslg, options, mut probe| flips(pslg, options, &mut probe),
             run_crossed: |graph, mut probe| crossed(Method::Flips, graph, &mut probe),
+            from_points: None,
         },
         Algorithm {
             name: "naive",
@@ -61,6 +69,7 @@ pub fn algorithms() -> Vec<Algorithm> {
             run: |pslg, options| by_definition(pslg, options, &mut ()),
             run_with: |pslg, options, mut probe| by_definition(pslg, options, &mut probe),
             run_crossed: |graph, mut probe| crossed(Method::Naive, graph, &mut probe),
+            from_points: None,
         },
     ]
 }

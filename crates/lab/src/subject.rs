@@ -1,5 +1,6 @@
 //! A validated input: what an algorithm is run on, and in what terms its result is told.
 
+use delone_cdt::Cdt;
 use delone_formats::Document;
 use delone_sites::{Arrangement, Noded, Pslg, PslgError, Sites, Snapped, WeightedSites};
 use delone_workloads::{Input, Points};
@@ -103,6 +104,17 @@ impl Subject {
         }
         take_pieces(&mut document, &snapped);
         Self::graph(document)
+    }
+
+    /// Takes points and segments of the plane together with their CDT, by a way that nodes them as it goes.
+    pub(crate) fn constrained(
+        document: Document,
+        from_points: delone_cdt::FromPoints,
+    ) -> Result<(Self, Cdt), Failure> {
+        let (points, segments) = lists(&document)?;
+        let built = from_points(&points, &segments);
+        let (pslg, cdt) = built.map_err(|error| refusal(&document, &error.to_string()))?;
+        Ok((Self { body: Body::Graph(pslg), document }, cdt))
     }
 
     fn noded<G>(

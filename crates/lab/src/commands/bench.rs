@@ -141,22 +141,26 @@ impl Session<'_> {
         for input in &definition.inputs {
             let workload = find(&input.workload).map_err(Failure::input)?;
             for (n, answer) in input.sizes()? {
-                if self.arguments.sites_max.is_some_and(|most| n > most) || watch::is_interrupted()
-                {
+                if self.is_left_out(n) {
                     continue;
                 }
-                let document = document_of(&input.workload, &workload.generate(n, input.seed));
-                let ending = if definition.task == Task::Cdt { "poly" } else { "node" };
-                let given = folder.path().join(format!("in.{ending}"));
-                output::document(&given, &document)?;
-                let input = input.workload.clone();
-                self.run_on(
-                    &Instance { definition, input, document, given, answer },
-                    folder.path(),
-                );
+                let mut document = document_of(&input.workload, &workload.generate(n, input.seed));
+                document.segments.truncate(input.segments.unwrap_or(usize::MAX));
+                self.run_on(definition, input.label(), document, answer, folder.path())?;
+            }
+        }
+        for file in &definition.files {
+            let document = crate::input::read(&file.path, None)?;
+            if !self.is_left_out(document.point_count()) {
+                let label = document.name.clone();
+                self.run_on(definition, label, document, &file.answer, folder.path())?;
             }
         }
         Ok(())
+    }
+
+    fn is_left_out(&self, sites: usize) -> bool {
+        self.arguments.sites_max.is_some_and(|most| sites > most) || watch::is_interrupted()
     }
 
     /// The engines of a definition that are asked for.
@@ -169,22 +173,31 @@ impl Session<'_> {
     }
 
     /// All engines take turns, round by round; those that are wrong have no further turn, and no time.
-    fn run_on(&mut self, instance: &Instance<'_>, folder: &Path) {
-        let definition = instance.definition;
-        let written = folder.join("out.ele");
+    fn run_on(
+        &mut self,
+        definition: &Definition,
+        input: String,
+        document: Document,
+        answer: &str,
+        folder: &Path,
+    ) -> Result<(), Failure> {
+        let ending = if definition.task == Task::Cdt { "poly" } else { "node" };
+        let (given, written) = (folder.join(format!("in.{ending}")), folder.join("out.ele"));
+        output::document(&given, &document)?;
+        let instance = &Instance { definition, input, document, given, answer };
         let mut engines = self.engines(definition);
         for round in 0..self.arguments.rounds.unwrap_or(definition.rounds) {
             let mut left = Vec::new();
             for engine in engines {
                 if watch::is_interrupted() {
-                    return;
+                    return Ok(());
                 }
                 let (input, sites) = (&instance.input, instance.document.point_count());
                 let task = &definition.name;
                 self.bar.set_message(format!("{task}: {input}, {sites} sites, {}", engine.name));
                 let outcome = self.turn(&engine, instance, &written, round);
                 if watch::is_interrupted() {
-                    return; // what was interrupted says nothing
+                    return Ok(()); // what was interrupted says nothing
                 }
                 if self.told_of(&engine, instance, round, outcome) {
                     left.push(engine);
@@ -192,6 +205,7 @@ impl Session<'_> {
             }
             engines = left;
         }
+        Ok(())
     }
 
     /// One turn, judged if it is the first.

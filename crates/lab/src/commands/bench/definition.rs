@@ -1,7 +1,7 @@
 //! Benchmarks as data: what is run, on what, what it shows, and what the answer is.
 
 use std::collections::BTreeMap;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use serde::Deserialize;
 
@@ -31,6 +31,8 @@ pub(crate) struct Definition {
     pub(crate) ours: Vec<String>,
     #[serde(default, rename = "input")]
     pub(crate) inputs: Vec<Input>,
+    #[serde(default, rename = "file")]
+    pub(crate) files: Vec<Given>,
 }
 
 fn rounds() -> u32 {
@@ -74,8 +76,21 @@ pub(crate) struct Input {
     pub(crate) workload: String,
     #[serde(default = "seed")]
     pub(crate) seed: u64,
-    /// By number of sites, the fingerprint of the one answer; empty: not pinned yet.
+    /// Only so many of its segments, the first ones.
+    pub(crate) segments: Option<usize>,
+    /// By number of sites asked for, the fingerprint of the one answer; empty: not pinned yet.
     pub(crate) answers: BTreeMap<String, String>,
+}
+
+/// A file.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Given {
+    /// Where it is, from the folder that the program is run in.
+    pub(crate) path: PathBuf,
+    /// The fingerprint of the one answer; empty: not pinned yet.
+    #[serde(default)]
+    pub(crate) answer: String,
 }
 
 fn seed() -> u64 {
@@ -83,6 +98,14 @@ fn seed() -> u64 {
 }
 
 impl Input {
+    /// What it is called in records.
+    pub(crate) fn label(&self) -> String {
+        match self.segments {
+            None => self.workload.clone(),
+            Some(segments) => format!("{}, {segments} segments", self.workload),
+        }
+    }
+
     /// The sizes with their answers, in increasing order.
     pub(crate) fn sizes(&self) -> Result<Vec<(usize, &str)>, Failure> {
         let mut sizes: Vec<(usize, &str)> = Vec::new();
