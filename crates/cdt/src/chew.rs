@@ -9,7 +9,8 @@
 //! ```
 //!
 //! **Paper.** [Che89] (and its conference form of 1987): O(n log n) in the worst case. Where we differ: Chew's infinite
-//! vertices, where half of a segment leaves the slab, are not stored. Narrow slabs are divided region by region (`divide.rs`). Both halves of each segment stand in the rings of
+//! vertices, where half of a segment leaves the slab, are not stored. Narrow slabs are divided region by region (`divide.rs`),
+//! and regions higher than wide are cut across y where no segment is in the way (`across.rs`). Both halves of each segment stand in the rings of
 //! their ends from the start, and a half whose other end is outside the slab is known by that end's index. Windows are
 //! merged as in Guibas and Stolfi's Delaunay algorithm [GS85], with faces told from gaps by walking round them.
 //! **In.** A noded PSLG as a kernel over its sites in lexicographic order, and subsegments as pairs of ranks.
@@ -28,9 +29,11 @@
 //! | equal abscissae | indices compare: as if sheared by an infinitesimal | `chew_agrees_on_small_grids` |
 //! | cocircular sites | the perturbation decides | `chew_agrees_on_small_grids` |
 //! | sites in line along a tangent | strict tests leave ties alone, so the nearest one is taken | `chew_agrees_on_small_grids` |
+//! | sites of one height at a cut across | abscissae compare: as if cuts fell to the right | `chew_agrees_where_it_cuts_across` |
 //! | all sites in line | no face: a chain | `a_chain_has_its_segments` |
 //! | one half bounds a region's only gap | the gap's chain starts at the half on the right side of it | `chew_agrees_on_random_sets` |
 
+mod across;
 mod divide;
 mod hand_over;
 mod leaves;
@@ -44,6 +47,7 @@ use delone_predicates::PlaneKernel;
 use delone_probe::Probe;
 use delone_sites::{Ends, Swept};
 
+use across::Across;
 use divide::Run;
 pub(crate) use hand_over::hand_over;
 use region::{Lists, Region};
@@ -58,9 +62,10 @@ struct Chew<'k, 'p, K, P> {
     names: &'k [u32],
     rings: Rings,
     /// For each site the segments next below and above it.
-    bounds: &'k [[Option<u32>; 2]],
+    bounds: Vec<[Option<u32>; 2]>,
     lists: Lists,
     run: Run,
+    across: Across,
     /// The regions of the slabs that are solved and wait for their merge, slab by slab, from bottom to top.
     regions: Vec<Region>,
     /// Of one merge: the regions it makes, and the segments that cross the wall.
@@ -69,16 +74,16 @@ struct Chew<'k, 'p, K, P> {
 }
 
 /// The edges of the CDT of sites, ranked lexicographically and called `names[rank]` by the caller, and segments, as a sweep over them has
-/// found them.
-pub(crate) fn chew<K: PlaneKernel, P: Probe>(
-    kernel: &K,
-    swept: &Swept,
-    names: &[u32],
+/// found them; takes what it says of neighbours.
+pub(crate) fn chew<'k, K: PlaneKernel, P: Probe>(
+    kernel: &'k K,
+    swept: &'k mut Swept,
+    names: &'k [u32],
     probe: &mut P,
 ) -> Rings {
-    let (segments, bounds) = (&swept.pieces, &swept.neighbours);
-    let count = bounds.len();
     let rings = Rings::new(swept);
+    let bounds = std::mem::take(&mut swept.neighbours);
+    let (segments, count) = (&swept.pieces, bounds.len());
     let mut work = Chew {
         kernel,
         probe,
@@ -88,6 +93,7 @@ pub(crate) fn chew<K: PlaneKernel, P: Probe>(
         bounds,
         lists: Lists::new(segments.len()),
         run: Run::new(count, segments.len()),
+        across: Across::new(count),
         regions: Vec::new(),
         merged: Vec::new(),
         wall: Vec::new(),

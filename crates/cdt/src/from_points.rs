@@ -59,8 +59,8 @@ pub fn chew_from_points(
     let sites = graph.sites();
     let kernel = Adaptive::new(sites.points()).reordered(sites.sorted());
     let swept = sweep(&kernel, sites.len(), &graph.ranked());
-    let meshed = swept.and_then(|swept| {
-        let rings = chew::chew(&kernel, &swept, sites.sorted(), probe);
+    let meshed = swept.and_then(|mut swept| {
+        let rings = chew::chew(&kernel, &mut swept, sites.sorted(), probe);
         Some((chew::hand_over(rings, &kernel, sites.sorted())?, swept))
     });
     if let Some(((mesh, constrained), swept)) = meshed {

@@ -172,9 +172,9 @@ where
         })
         .collect();
     let kernel = kernel.reordered(graph.sorted);
-    let swept =
+    let mut swept =
         sweep(&kernel, graph.sorted.len(), &ranked).expect("a noded graph has no crossings");
-    let rings = crate::chew::chew(&kernel, &swept, graph.sorted, probe);
+    let rings = crate::chew::chew(&kernel, &mut swept, graph.sorted, probe);
     crate::chew::hand_over(rings, &kernel, graph.sorted)
 }
 

@@ -125,6 +125,39 @@ fn chew_agrees_on_random_sets() {
     }
 }
 
+/// Enough sites that narrow slabs are cut across: lattices, where many heights are equal, with short segments and some long ones.
+#[test]
+fn chew_agrees_where_it_cuts_across() {
+    let mut state = 11u64;
+    let mut next = |below: u64| {
+        state =
+            state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 33) % below
+    };
+    for round in 0..60 {
+        let (columns, rows) = [(8, 12), (3, 40), (14, 14), (40, 4)][round % 4];
+        let spread = 1 + 6 * (round as u64 % 3); // 1: a full lattice
+        let points: Vec<[f64; 2]> = (0..columns * rows)
+            .map(|i| [i % columns, i / columns].map(|x| x * spread))
+            .map(|[x, y]| [(x + next(spread)) as f64, (y + next(spread)) as f64])
+            .collect();
+        let mut segments: Vec<[usize; 2]> = Vec::new();
+        for attempt in 0..(points.len() as u64 * (round as u64 % 5) / 4) {
+            let a = next(points.len() as u64);
+            let b = if attempt % 16 == 0 {
+                next(points.len() as u64)
+            } else {
+                a + 1 + next(2 * columns)
+            };
+            segments.push([a as usize, (b as usize).min(points.len() - 1)]);
+            if Pslg::new(&points, &segments).is_err() {
+                segments.pop();
+            }
+        }
+        check(&points, &segments);
+    }
+}
+
 #[test]
 fn a_long_segment_through_many_spikes() {
     // Heights above and below the segment fall by powers of two: chains full of dangling edges.

@@ -18,8 +18,9 @@ use delone_sites::compare_along;
 
 use super::Chew;
 
-/// In slabs of so many sites the regions are told apart. Wider ones have less than a region for each site as a rule.
-const NARROW: u32 = 1024;
+/// A slab is narrow if an even cloud is so many sites wide in it. In narrow slabs regions are told apart, and high ones are cut
+/// across; in wider ones most sites are of one region, and hardly a cut across would be clean.
+const WIDTH: u32 = 4;
 
 /// No site, no segment.
 const NONE: u32 = u32::MAX;
@@ -27,7 +28,7 @@ const NONE: u32 = u32::MAX;
 /// The sites of one narrow slab, region by region, and what tells the regions apart.
 #[derive(Debug)]
 pub(super) struct Run {
-    sites: Vec<u32>,
+    pub(super) sites: Vec<u32>,
     /// For each site the segment next below that spans the slab.
     low: Vec<u32>,
     /// For each site another of its region, whose `low` is the same, until that is known.
@@ -69,10 +70,11 @@ impl Run {
 impl<K: PlaneKernel, P: Probe> Chew<'_, '_, K, P> {
     /// Triangulates the slab of sites `i` to `j - 1`, and puts its regions on top of the others.
     pub(super) fn solve(&mut self, i: u32, j: u32) {
-        if j - i <= NARROW {
+        let count = u32::try_from(self.bounds.len()).expect("sites have 32-bit ids");
+        if j - i <= (WIDTH * count.isqrt()).max(1) {
             self.run.sites.clear();
             self.run.sites.extend(i..j);
-            return self.solve_run(0..self.run.sites.len(), [i, j]);
+            return self.each_region(0..self.run.sites.len(), [i, j], Self::solve_high);
         }
         let m = i + (j - i) / 2;
         let left = self.regions.len();
@@ -84,6 +86,16 @@ impl<K: PlaneKernel, P: Probe> Chew<'_, '_, K, P> {
 
     /// The same for the sites at these places of the run: all those of some regions of the slab.
     fn solve_run(&mut self, places: Range<usize>, slab: [u32; 2]) {
+        self.each_region(places, slab, Self::solve_region);
+    }
+
+    /// The same, regions of two sites and more by `solve`.
+    fn each_region(
+        &mut self,
+        places: Range<usize>,
+        slab: [u32; 2],
+        solve: impl Fn(&mut Self, Range<usize>, [u32; 2]),
+    ) {
         if places.len() == 1 {
             let region = self.single(self.run.sites[places.start]);
             return self.regions.push(region);
@@ -98,14 +110,22 @@ impl<K: PlaneKernel, P: Probe> Chew<'_, '_, K, P> {
             if end - start == 1 {
                 self.solve_run(start..end, slab);
             } else {
-                self.solve_region(start..end, slab);
+                solve(self, start..end, slab);
             }
             start = end;
         }
     }
 
+    /// The same for all sites of one region of a slab that was just narrow enough.
+    fn solve_high(&mut self, places: Range<usize>, slab: [u32; 2]) {
+        match self.solve_across(places.clone(), slab) {
+            Some(region) => self.regions.push(region),
+            None => self.solve_region(places, slab),
+        }
+    }
+
     /// The same for all sites of one region, two or more. To tell regions apart at every second level is enough.
-    fn solve_region(&mut self, places: Range<usize>, slab: [u32; 2]) {
+    pub(super) fn solve_region(&mut self, places: Range<usize>, slab: [u32; 2]) {
         if let [a, b] = self.run.sites[places.clone()] {
             let low = Some(self.run.low[a as usize]).filter(|&low| low != NONE);
             let region = self.pair([a, b], low);

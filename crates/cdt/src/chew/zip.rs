@@ -26,16 +26,13 @@ struct Window {
     ceiling: Option<u32>,
 }
 
-impl Window {
-    fn is_left(&self, v: u32) -> bool {
-        self.holds(Hand::Left, v)
-    }
+/// What separates two parts that are zipped.
+pub(super) trait Cut {
+    /// Whether the part on this hand holds the site.
+    fn holds(&self, hand: Hand, v: u32) -> bool;
+}
 
-    fn is_right(&self, v: u32) -> bool {
-        self.holds(Hand::Right, v)
-    }
-
-    /// Whether the slab on this hand holds the site.
+impl Cut for Window {
     #[inline]
     fn holds(&self, hand: Hand, v: u32) -> bool {
         let [i, m, j] = self.slab;
@@ -48,13 +45,13 @@ impl Window {
 
 /// One side of the wall. What is done on the right is the mirror image of what is done on the left.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Hand {
+pub(super) enum Hand {
     Left,
     Right,
 }
 
 /// A site of a gap's chain, and its sector that opens into the gap (none if no edge leaves it).
-type Stand = (u32, Option<Half>);
+pub(super) type Stand = (u32, Option<Half>);
 
 impl<K: PlaneKernel, P: Probe> Chew<'_, '_, K, P> {
     pub(super) fn zip(
@@ -67,22 +64,35 @@ impl<K: PlaneKernel, P: Probe> Chew<'_, '_, K, P> {
     ) {
         let window = Window { slab, floor, ceiling };
         let top = ceiling.and_then(|g| self.inside(window, g));
-        let mut base = match floor.filter(|&f| self.inside(window, f).is_some()) {
+        let base = match floor.filter(|&f| self.inside(window, f).is_some()) {
             Some(floor) => 2 * floor,
             None => {
                 let l = self.nearest(window, Hand::Left, a);
                 let r = self.nearest(window, Hand::Right, b);
-                let ((l, s), (r, t)) = self.lower_tangent(window, l, r);
+                let ((l, s), (r, t)) = self.lower_tangent(&window, l, r);
                 if top == Some([l, r]) {
                     return;
                 }
                 self.rings.join(l, r, s, t)
             }
         };
+        self.zip_from(&window, base, top);
+    }
+
+    /// The same for the upper and the lower part of a region, which are the left and the right hand, from their sites next to the cut.
+    pub(super) fn zip_level(&mut self, cut: &impl Cut, [upper, lower]: [Stand; 2]) {
+        let ((l, s), (r, t)) = self.lower_tangent(cut, upper, lower);
+        let base = self.rings.join(l, r, s, t);
+        self.zip_from(cut, base, None);
+    }
+
+    /// Zips from a base upwards; `top` are the ends of the window's ceiling, if it goes from one hand to the other.
+    #[inline]
+    fn zip_from(&mut self, cut: &impl Cut, mut base: Half, top: Option<[u32; 2]>) {
         loop {
             let (l, r) = (self.rings.origin(base), self.rings.destination(base));
-            let left = self.candidate(window, base, Hand::Left);
-            let right = self.candidate(window, base, Hand::Right);
+            let left = self.candidate(cut, base, Hand::Left);
+            let right = self.candidate(cut, base, Hand::Right);
             let to_right = match (left, right) {
                 (None, None) => break,
                 (Some(_), None) => false,
@@ -116,7 +126,7 @@ impl<K: PlaneKernel, P: Probe> Chew<'_, '_, K, P> {
     /// The ends of a segment that goes from the left slab to the right one.
     fn inside(&self, window: Window, segment: u32) -> Option<[u32; 2]> {
         let [a, b] = self.segments[segment as usize];
-        (window.is_left(a) && window.is_right(b)).then_some([a, b])
+        (window.holds(Hand::Left, a) && window.holds(Hand::Right, b)).then_some([a, b])
     }
 
     #[inline]
@@ -134,18 +144,18 @@ impl<K: PlaneKernel, P: Probe> Chew<'_, '_, K, P> {
     /// The edge from base's end on this hand to the candidate there, after opening what the circle of base and candidate
     /// opens.
     #[inline(always)] // twice, once for each hand
-    fn candidate(&mut self, window: Window, base: Half, hand: Hand) -> Option<Half> {
+    fn candidate(&mut self, cut: &impl Cut, base: Half, hand: Hand) -> Option<Half> {
         let (l, r) = (self.rings.origin(base), self.rings.destination(base));
         let (own, other_end) = if hand == Hand::Left { (base, r) } else { (base ^ 1, l) };
         let mut e = self.beside(own, hand);
         let c = self.rings.destination(e);
-        if e == own || !window.holds(hand, c) || self.orient(l, r, c) != Sign::Positive {
+        if e == own || !cut.holds(hand, c) || self.orient(l, r, c) != Sign::Positive {
             return None;
         }
         while !self.rings.is_segment(e) {
             let behind = self.beside(e, hand);
             let (c, apex) = (self.rings.destination(e), self.rings.destination(behind));
-            if apex == other_end || !window.holds(hand, apex) {
+            if apex == other_end || !cut.holds(hand, apex) {
                 break;
             }
             let (first, second) = if hand == Hand::Left { (e, behind) } else { (behind, e) };
@@ -230,7 +240,7 @@ impl<K: PlaneKernel, P: Probe> Chew<'_, '_, K, P> {
     }
 
     /// The sector of 180 degrees or more at a site all of whose edges go to one side.
-    fn open_sector(&mut self, v: u32) -> Option<Half> {
+    pub(super) fn open_sector(&mut self, v: u32) -> Option<Half> {
         let first = self.rings.start(v)?;
         let mut s = first;
         loop {
@@ -245,12 +255,12 @@ impl<K: PlaneKernel, P: Probe> Chew<'_, '_, K, P> {
     }
 
     /// Walks both stands down to the lower common tangent.
-    fn lower_tangent(&mut self, window: Window, left: Stand, right: Stand) -> (Stand, Stand) {
+    fn lower_tangent(&mut self, cut: &impl Cut, left: Stand, right: Stand) -> (Stand, Stand) {
         let ((mut l, mut s), (mut r, mut t)) = (left, right);
         loop {
             if let Some(sector) = s {
                 let d = self.rings.destination(sector);
-                if window.is_left(d) && self.orient(l, r, d) == Sign::Negative {
+                if cut.holds(Hand::Left, d) && self.orient(l, r, d) == Sign::Negative {
                     (l, s) = (d, Some(self.rings.previous(sector ^ 1)));
                     continue;
                 }
@@ -258,7 +268,7 @@ impl<K: PlaneKernel, P: Probe> Chew<'_, '_, K, P> {
             if let Some(sector) = t {
                 let e = self.rings.next(sector);
                 let d = self.rings.destination(e);
-                if window.is_right(d) && self.orient(l, r, d) == Sign::Negative {
+                if cut.holds(Hand::Right, d) && self.orient(l, r, d) == Sign::Negative {
                     (r, t) = (d, Some(e ^ 1));
                     continue;
                 }
