@@ -101,15 +101,30 @@ fn definitions(arguments: &cli::Bench, engines: &Engines) -> Result<Vec<Definiti
     let mut all = Vec::new();
     for path in paths {
         let definition: Definition = definition::read(&path)?;
-        for name in &definition.engines {
-            if !engines.engine.iter().any(|engine| engine.name == *name) {
-                let path = path.display();
-                return Err(Failure::input(format!("{path}: no engine is called {name}")));
-            }
-        }
+        check(&definition, engines).map_err(|why| {
+            let path = path.display();
+            Failure::input(format!("{path}: {why}"))
+        })?;
         all.push(definition);
     }
     Ok(all)
+}
+
+/// Everything a definition names must be there, before anything is run.
+fn check(definition: &Definition, engines: &Engines) -> Result<(), String> {
+    for name in &definition.engines {
+        if !engines.engine.iter().any(|engine| engine.name == *name) {
+            return Err(format!("no engine is called {name}"));
+        }
+    }
+    for input in &definition.inputs {
+        find(&input.workload).map_err(|error| error.to_string())?;
+    }
+    for file in &definition.files {
+        std::fs::metadata(&file.path)
+            .map_err(|error| format!("{}: {error}", file.path.display()))?;
+    }
+    Ok(())
 }
 
 struct Session<'s> {

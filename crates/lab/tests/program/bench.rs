@@ -157,6 +157,26 @@ fn records_compare() {
     assert_eq!(run(folder.path(), &["bench", "compare", "r.csv", "x.csv"]).0, 2);
 }
 
+/// Files are run as workloads are, and a workload may lose segments.
+#[test]
+fn files_and_fewer_segments_are_run() {
+    let folder = folder();
+    run(folder.path(), &["gen", "coast", "-n", "60", "-o", "lake.poly"]);
+    let text = definition("")
+        .replace("[[input]]", "[[file]]\npath = \"lake.poly\"\n[[input]]\nsegments = 7");
+    std::fs::write(folder.path().join("engines.toml"), ENGINES).unwrap();
+    std::fs::write(folder.path().join("d.toml"), text).unwrap();
+    let words = ["bench", "d.toml", "--engines", "engines.toml", "--only", "ours", "--json"];
+    let (status, out, error) = run(folder.path(), &words);
+    assert_eq!(status, 0, "{error}");
+    let object: Value = serde_json::from_str(&out).unwrap();
+    let told = |row: &&Value| (row["input"].as_str().unwrap().to_owned(), row["segments"].as_u64());
+    let mut inputs: Vec<_> = rows(&object, "ours", 60).iter().map(told).collect();
+    inputs.dedup();
+    let expected = [("coast, 7 segments", 7), ("lake.poly", 60)];
+    assert_eq!(inputs, expected.map(|(name, count)| (name.to_owned(), Some(count))));
+}
+
 #[test]
 fn bad_definitions_are_named() {
     let folder = folder();
@@ -171,6 +191,10 @@ fn bad_definitions_are_named() {
         (
             "name = \"d\"\nanalysis = \"\"\ntask = \"cdt\"\nengines = []\n[[input]]\nworkload = \"cost\"\nanswers = {}\n",
             "coast",
+        ),
+        (
+            "name = \"d\"\nanalysis = \"\"\ntask = \"cdt\"\nengines = []\n[[file]]\npath = \"lake.poly\"\n",
+            "lake.poly",
         ),
     ] {
         std::fs::write(folder.path().join("d.toml"), text).unwrap();
