@@ -3,7 +3,7 @@
 //! **Definition.** A ray from inside a cell to infinity crosses segments. Even-odd: an odd number of them; nonzero: those from
 //! its right to its left less those the other way are not zero; positive: are more. Segments that have one region on both
 //! sides (slits) do not count. Nesting: the fewest segments on any way from infinity, each counted once, are odd. Exterior: any
-//! segment is in the way.
+//! segment is in the way. Seeds: any segment is in the way, from infinity and from each of these points.
 //!
 //! **Method.** F1: the flags of cells agree across edges on no segment, and free edges of the hull have outside behind them. F2:
 //! one cell of each piece agrees with its ray, which runs from the cell's centroid, exactly: the centroid times three is an
@@ -12,6 +12,7 @@
 
 use crate::cells::{Complex, Triangulation};
 use crate::chains::{Cover, Edges, cover};
+use crate::exact::lattice::Span;
 use crate::exact::{Integer, Lattice, Number, Pure, Sign};
 use crate::facets::{Facets, Pieces};
 use crate::fault::Fault;
@@ -22,8 +23,8 @@ use crate::verdict::{Level, Report, Verdict};
 use std::collections::VecDeque;
 
 /// What is inside.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum FillRule {
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum FillRule<'s> {
     /// An odd number of segments on the way to infinity.
     EvenOdd,
     /// A winding number that is not zero.
@@ -34,6 +35,8 @@ pub enum FillRule {
     Nesting,
     /// Not reached from infinity without crossing a segment.
     Exterior,
+    /// Not reached from infinity, nor from any of these points, without crossing a segment. None of them is on one.
+    Seeds(&'s [[f64; 2]]),
 }
 
 /// Judges whether exactly the cells are inside that the rule says; `inside` has an entry for each cell. That the input has an
@@ -54,7 +57,7 @@ pub fn judge_fill(
     complex: &Complex<'_, 2>,
     segments: &[[u32; 2]],
     inside: &[bool],
-    rule: FillRule,
+    rule: FillRule<'_>,
     options: &Options,
 ) -> Verdict {
     let mut report = Report::new(options.faults_max);
@@ -144,18 +147,29 @@ impl Walls {
     }
 
     /// For one cell of each piece, whether it is inside.
-    fn expected(&self, t: &Triangulation<'_, 2, Pure>, rule: FillRule) -> Vec<(usize, bool)> {
+    fn expected(&self, t: &Triangulation<'_, 2, Pure>, rule: FillRule<'_>) -> Vec<(usize, bool)> {
         let mut names: Vec<usize> = self.pieces.clone();
         names.sort_unstable();
         names.dedup();
         let cells = names.into_iter().filter(|&name| name < t.signs.len());
         let depths = self.depths();
+        let drained: Vec<usize> = match rule {
+            FillRule::Seeds(seeds) => {
+                let holding = seeds.iter().filter_map(|&seed| holding(t, seed));
+                holding.map(|cell| self.pieces[cell]).collect()
+            }
+            _ => Vec::new(),
+        };
         let side = |cell: usize| match rule {
             FillRule::EvenOdd => self.ray(t, cell).0 % 2 != 0,
             FillRule::NonZero => self.ray(t, cell).1 != 0,
             FillRule::Positive => self.ray(t, cell).1 > 0,
             FillRule::Nesting => depths[cell] % 2 == 1,
             FillRule::Exterior => self.pieces[cell] != self.outside,
+            FillRule::Seeds(_) => {
+                let piece = self.pieces[cell];
+                piece != self.outside && !drained.contains(&piece)
+            }
         };
         cells.map(|cell| (cell, side(cell))).collect()
     }
@@ -164,7 +178,7 @@ impl Walls {
     /// the other way.
     fn ray(&self, t: &Triangulation<'_, 2, Pure>, cell: usize) -> (i64, i64) {
         let points = t.space.points;
-        let span = crate::exact::lattice::Span::of(points.iter().flatten().copied());
+        let span = Span::of(points.iter().flatten().copied());
         let lattice: Lattice<Pure> = Lattice::new(span.map_or(0, |span| span.low));
         let at = |v: u32| points[v as usize].map(|x| lattice.integer(x));
         let corners = t.cell(cell);
@@ -213,6 +227,25 @@ impl Walls {
         }
         depths
     }
+}
+
+/// A cell that holds a finite point, its boundary included, if one does.
+fn holding(t: &Triangulation<'_, 2, Pure>, seed: [f64; 2]) -> Option<usize> {
+    let points = t.space.points;
+    let span = Span::of(points.iter().chain([&seed]).flatten().copied());
+    let lattice: Lattice<Pure> = Lattice::new(span.map_or(0, |span| span.low));
+    let from_seed = |v: u32| {
+        let v = points[v as usize];
+        [0, 1].map(|x| lattice.integer(v[x]).minus(&lattice.integer(seed[x])))
+    };
+    (0..t.signs.len()).find(|&cell| {
+        let corners = [0, 1, 2].map(|i| from_seed(t.cell(cell)[i]));
+        let turns = [0, 1, 2].map(|i| {
+            let [p, q] = [&corners[i], &corners[(i + 1) % 3]];
+            p[0].times(&q[1]).minus(&p[1].times(&q[0])).exact_sign()
+        });
+        !(turns.contains(&Sign::Positive) && turns.contains(&Sign::Negative))
+    })
 }
 
 #[cfg(test)]

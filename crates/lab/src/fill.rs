@@ -49,7 +49,8 @@ pub(crate) fn verdict(
         cli::Fill::Positive => FillRule::Positive,
         cli::Fill::Nesting => FillRule::Nesting,
         cli::Fill::Exterior => FillRule::Exterior,
-        cli::Fill::None | cli::Fill::Seeds => return None,
+        cli::Fill::Seeds => FillRule::Seeds(subject.document.holes.as_chunks::<2>().0),
+        cli::Fill::None => return None,
     };
     let (Triangulation::Constrained(cdt), Body::Graph(pslg)) = (triangulation, &subject.body)
     else {

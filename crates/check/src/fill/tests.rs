@@ -15,7 +15,7 @@ fn square() -> (Vec<[f64; 2]>, Vec<u32>, Vec<[u32; 2]>) {
     (points.to_vec(), cells, outer.chain(inner).collect())
 }
 
-const RULES: [FillRule; 5] = [
+const RULES: [FillRule<'_>; 5] = [
     FillRule::EvenOdd,
     FillRule::NonZero,
     FillRule::Positive,
@@ -52,6 +52,27 @@ fn holes_by_every_rule() {
     // The hole's ring twice.
     let twice = [&segments[..], &segments[4..]].concat();
     check(&twice, [[true, true], [true, true], [true, false], [true, false], [true, true]]);
+}
+
+#[test]
+fn seeds_drain_their_regions() {
+    let (points, cells, segments) = square();
+    let complex = Complex { points: &points, dimension: Some(2), cells: &cells };
+    for (seeds, expected) in [
+        (vec![], [true, true]),
+        (vec![[9.0, 9.0]], [true, true]),
+        (vec![[1.5, 1.5]], [true, false]), // on a free edge
+        (vec![[1.25, 1.5]], [true, false]),
+        (vec![[0.5, 1.5]], [false, true]),
+        (vec![[0.5, 1e-300], [1.5, 1.75]], [false, false]),
+    ] {
+        for claim in [[false, false], [false, true], [true, false], [true, true]] {
+            let inside = [[claim[0]; 8].as_slice(), &[claim[1]; 2]].concat();
+            let rule = FillRule::Seeds(&seeds);
+            let verdict = judge_fill(&complex, &segments, &inside, rule, &Options::default());
+            assert_eq!(verdict.ok, claim == expected, "{seeds:?} {claim:?}: {verdict}");
+        }
+    }
 }
 
 #[test]

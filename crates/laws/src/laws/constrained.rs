@@ -171,7 +171,15 @@ fn fill(case: &Case<2>) -> usize {
     }
     let cells = solid_cells(result.mesh(), pslg.sites().input_of());
     let complex = Complex { points: &case.points, dimension: Some(2), cells: &cells };
+    // Some points about the middle of cells; one that is on a segment is refused.
+    let some = cells.as_chunks::<3>().0.iter().step_by(1 + cells.len() / 12);
+    let middle = |corners: &[u32; 3]| {
+        let corners = corners.map(|v| case.points[v as usize]);
+        [0, 1].map(|x| corners.iter().map(|corner| corner[x] / 3.0).sum::<f64>())
+    };
+    let seeds: Vec<[f64; 2]> = some.map(middle).collect();
     let rules = [
+        (Fill::Seeds(seeds.clone()), FillRule::Seeds(&seeds)),
         (Fill::EvenOdd, FillRule::EvenOdd),
         (Fill::NonZero, FillRule::NonZero),
         (Fill::Positive, FillRule::Positive),
@@ -190,6 +198,7 @@ fn fill(case: &Case<2>) -> usize {
             Err(FillError::OddVertices(open) | FillError::Unbalanced(open)) => {
                 assert!(!open.is_empty(), "{}, {rule:?}", case.name);
             }
+            Err(FillError::Seeds(faults)) => assert!(!faults.is_empty(), "{}", case.name),
             Err(error) => panic!("{}, {rule:?}: {error}", case.name),
         }
     }
