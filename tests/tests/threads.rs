@@ -2,10 +2,10 @@
 
 use std::num::NonZeroUsize;
 
+use delone::Sites;
 use delone::delaunay::divide_conquer_in_parallel;
 use delone::predicates::Adaptive;
 use delone::workloads::{Points, all};
-use delone::Sites;
 
 /// More than are worth a pool of threads, for the sites' order and for the mesh alike.
 const SITES: usize = 40_000;
