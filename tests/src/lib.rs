@@ -25,10 +25,11 @@
 //! and which: `DELONE_CASES=1000000 cargo test --release -p delone-tests --test generated algorithms_agree`.
 //!
 //! **Modules.** [`case`] one input; [`corpus`] all of them, of [`hand`] and [`data`]; [`judge`] and [`cells`] what is
-//! compared; [`laws`]; [`generated`] inputs that shrink; [`cgal`], [`gudhi`], [`qhull`] and [`scipy`] the opponents.
+//! compared; [`laws`]; [`alpha`]; [`generated`] inputs that shrink; [`cgal`], [`gudhi`], [`qhull`] and [`scipy`] the opponents.
 
 #![expect(clippy::missing_panics_doc, reason = "panicking is how a test's helper speaks")]
 
+pub mod alpha;
 pub mod cgal;
 pub mod corpus;
 pub mod data;

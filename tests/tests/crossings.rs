@@ -1,35 +1,15 @@
 //! Segments that cross, every crossing a vertex: all algorithms under the constructed kernel give the same triangulation,
 //! which the judge proves in ratios of its own.
 
-use delone::cdt::{algorithms, cdt_of_arrangement};
-use delone::check::{Arranged, Level, Options, judge_arranged};
-use delone::sites::{Arrangement, Noded};
 use delone::workloads::{Points, Rng, all};
-use delone_tests::judge::solid_cells;
+use delone_tests::case::Case;
+use delone_tests::laws::crossings as hold;
 
 /// How many crossings became vertices.
 fn check(name: &str, points: &[[f64; 2]], segments: &[[usize; 2]]) -> usize {
-    let graph = Arrangement::new(points, segments).expect("finite points");
-    let first = cdt_of_arrangement(&graph, &mut ());
-    let count = graph.positions().len();
-    for algorithm in algorithms().iter().filter(|algorithm| count <= algorithm.sites_max) {
-        let other = (algorithm.run_crossed)(&graph, &mut ());
-        assert_eq!(other.canonical(), first.canonical(), "{name}: {}", algorithm.name);
-        assert_eq!(other.constrained_edges(), graph.subsegments(), "{name}: {}", algorithm.name);
-    }
-    if first.mesh().dimension() == Some(2) {
-        let vertices: Vec<u32> = (0u32..).take(count).collect();
-        let arranged = Arranged {
-            points: graph.sites().points(),
-            crossings: graph.crossings(),
-            cells: &solid_cells(first.mesh(), &vertices),
-            segments: graph.segments(),
-            constrained: &first.constrained_edges(),
-        };
-        let verdict = judge_arranged(&arranged, &Options::default());
-        assert!(verdict.ok && verdict.level == Level::Constrained, "{name}: {verdict}");
-    }
-    count - graph.sites().len()
+    let id = |v: usize| u32::try_from(v).expect("a small id");
+    let segments = segments.iter().map(|ends| ends.map(id)).collect();
+    hold(&Case::new(name, points.to_vec(), segments)) - 1
 }
 
 #[test]

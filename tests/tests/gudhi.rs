@@ -1,9 +1,9 @@
 //! Alpha values: every simplex's, beside Gudhi's exact alpha complex, which tells doubles.
 
-use delone::alpha::{AlphaFiltration, SimplexId};
-use delone::delaunay::{Options, delaunay, regular};
-use delone::sites::{Sites, WeightedSites};
+use delone::alpha::SimplexId;
+use delone::sites::Sites;
 use delone::workloads::{Rng, generate};
+use delone_tests::alpha::filtration;
 use delone_tests::data::{documents, files, points_of};
 use delone_tests::gudhi::Gudhi;
 use delone_tests::say;
@@ -40,19 +40,6 @@ impl Count {
             assert!(value == nearest || is_next, "{name} {vertices:?}: {nearest}, Gudhi {value}");
             self.simplices += 1;
             self.last_bit += usize::from(is_next);
-        }
-    }
-}
-
-fn filtration<const D: usize>(points: &[[f64; D]], weights: Option<&[f64]>) -> AlphaFiltration<D> {
-    match weights {
-        None => {
-            let sites = Sites::new(points).expect("finite");
-            AlphaFiltration::of(&sites, &delaunay(&sites, &Options::default(), &mut ()))
-        }
-        Some(weights) => {
-            let sites = WeightedSites::new(points, weights).expect("finite");
-            AlphaFiltration::of_regular(&sites, &regular(&sites, &Options::default(), &mut ()))
         }
     }
 }

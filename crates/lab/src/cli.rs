@@ -310,6 +310,9 @@ pub(crate) struct Compare {
     /// Seeds the built-in suite
     #[arg(long, default_value_t = 1)]
     pub(crate) seed: u64,
+    /// What to do with inputs whose segments cross; the others stay as they are
+    #[arg(long, value_enum, default_value_t = Crossings::Reject)]
+    pub(crate) crossings: Crossings,
     /// Report inputs that cannot be read or are refused as rows, and go on
     #[arg(long)]
     pub(crate) keep_going: bool,

@@ -1,6 +1,5 @@
 //! A validated input: what an algorithm is run on, and in what terms its result is told.
 
-use delone_cdt::Cdt;
 use delone_formats::Document;
 use delone_sites::{Arrangement, Noded, Pslg, PslgError, Sites, Snapped, WeightedSites};
 use delone_workloads::{Input, Points};
@@ -106,17 +105,6 @@ impl Subject {
         Self::graph(document)
     }
 
-    /// Takes points and segments of the plane together with their CDT, by a way that nodes them as it goes.
-    pub(crate) fn constrained(
-        document: Document,
-        from_points: delone_cdt::FromPoints,
-    ) -> Result<(Self, Cdt), Failure> {
-        let (points, segments) = lists(&document)?;
-        let built = from_points(&points, &segments);
-        let (pslg, cdt) = built.map_err(|error| refusal(&document, &error.to_string()))?;
-        Ok((Self { body: Body::Graph(pslg), document }, cdt))
-    }
-
     fn noded<G>(
         document: Document,
         make: impl FnOnce(&[[f64; 2]], &[[usize; 2]]) -> Result<G, PslgError>,
@@ -179,9 +167,9 @@ impl Subject {
 }
 
 /// Points and segments of the plane.
-type Lists = (Vec<[f64; 2]>, Vec<[usize; 2]>);
+pub(crate) type Lists = (Vec<[f64; 2]>, Vec<[usize; 2]>);
 
-fn lists(document: &Document) -> Result<Lists, Failure> {
+pub(crate) fn lists(document: &Document) -> Result<Lists, Failure> {
     let points = document.points_2d().map_err(Failure::input)?;
     Ok((points, document.segments.iter().map(|ends| ends.map(|end| end as usize)).collect()))
 }

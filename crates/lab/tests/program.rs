@@ -207,6 +207,23 @@ fn compare_refuses_all_or_goes_on() {
     let algorithms = delone_cdt::algorithms().len();
     assert_eq!(object["results"].as_array().unwrap().len(), algorithms);
     assert_eq!(object["refused"].as_array().unwrap().len(), 1);
+    for way in ["split", "snap"] {
+        let words = ["compare", ".", "--crossings", way, "--json", "--html", "r.html"];
+        let (status, out, error) = run(folder.path(), &words);
+        assert_eq!(status, 0, "{error}");
+        let object: Value = serde_json::from_str(&out).unwrap();
+        let results = object["results"].as_array().unwrap();
+        assert_eq!(results.len(), 2 * algorithms);
+        let path = |result: &Value| result["input"]["path"].as_str().unwrap().to_owned();
+        let is_crossed = |result: &&Value| path(result).ends_with("cross.poly");
+        let crossed = results.iter().find(is_crossed).unwrap();
+        assert_eq!(
+            crossed["vertices"],
+            crossed["input"]["sites"].as_u64().unwrap() + 1 - u64::from(way == "snap")
+        );
+        assert_eq!(crossed["check"]["ok"], true);
+        std::fs::remove_file(folder.path().join("r.html")).unwrap();
+    }
 }
 
 #[test]

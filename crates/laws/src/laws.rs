@@ -20,10 +20,12 @@
 //! | `components` | those of the raster, flooded |
 
 mod constrained;
+mod crossings;
 mod delaunay;
 pub mod trees;
 
 pub use constrained::constrained_laws;
+pub use crossings::crossings;
 pub use delaunay::delaunay_laws;
 pub use trees::{octree_laws, quadtree_laws};
 

@@ -1,25 +1,12 @@
 //! Alpha values: every simplex's, as a reduced fraction, over CGAL's exact kernel.
 
-use delone::alpha::{AlphaFiltration, SimplexId, fraction};
-use delone::delaunay::{Options, delaunay, regular};
-use delone::sites::{Sites, WeightedSites};
+use delone::alpha::{SimplexId, fraction};
+use delone::sites::Sites;
 use delone::workloads::{Rng, generate};
+use delone_tests::alpha::filtration;
 use delone_tests::cgal::Cgal;
 use delone_tests::data::{documents, files, points_of};
 use delone_tests::say;
-
-fn filtration<const D: usize>(points: &[[f64; D]], weights: Option<&[f64]>) -> AlphaFiltration<D> {
-    match weights {
-        None => {
-            let sites = Sites::new(points).expect("finite");
-            AlphaFiltration::of(&sites, &delaunay(&sites, &Options::default(), &mut ()))
-        }
-        Some(weights) => {
-            let sites = WeightedSites::new(points, weights).expect("finite");
-            AlphaFiltration::of_regular(&sites, &regular(&sites, &Options::default(), &mut ()))
-        }
-    }
-}
 
 /// Demands equal values; how many there are. Points in a flat, which CGAL's shapes do not know, are left out.
 fn equal<const D: usize>(

@@ -4,7 +4,7 @@
 //! takes as many steps, but in the order of the segments: with ids that are no neighbours in space, each step waits for memory (three to
 //! five times as long, measured on a coast of 10^6 segments).
 
-use delone_mesh::HalfEdge;
+use delone_mesh::{HalfEdge, VertexId};
 use delone_predicates::PlaneKernel;
 use delone_probe::{Event, Probe};
 
@@ -16,6 +16,8 @@ struct Listed {
     starts: Vec<u32>,
     /// The larger end and the number of each segment, sorted within a list.
     entries: Vec<u64>,
+    /// By site, the larger ends of the two in its list; the ghost if there are more.
+    near: Vec<[Option<VertexId>; 2]>,
 }
 
 impl Listed {
@@ -31,10 +33,26 @@ impl Listed {
             entries[*place as usize] = u64::from(a.max(b)) << 32 | number;
             *place += 1;
         }
-        for site in 0..sites {
-            entries[starts[site] as usize..starts[site + 1] as usize].sort_unstable();
-        }
-        Self { starts, entries }
+        let near = |site: usize| {
+            let list = &mut entries[starts[site] as usize..starts[site + 1] as usize];
+            list.sort_unstable();
+            let end = |entry: u64| usize::try_from(entry >> 32).map(VertexId::new).ok();
+            match *list {
+                [] => [None; 2],
+                [only] => [end(only), None],
+                [first, second] => [end(first), end(second)],
+                _ => [Some(VertexId::GHOST); 2],
+            }
+        };
+        let near = (0..sites).map(near).collect();
+        Self { starts, entries, near }
+    }
+
+    /// Whether a segment between two sites may be listed at the first of them.
+    #[inline]
+    fn may_hold(&self, a: VertexId, b: VertexId) -> bool {
+        let [first, second] = self.near[a.index()];
+        (first == Some(b)) | (second == Some(b)) | (first == Some(VertexId::GHOST))
     }
 
     /// The numbers of the segments between sites `a` and `b`, of which `a` is the smaller.
@@ -60,7 +78,7 @@ impl<K: PlaneKernel> Work<'_, K> {
         for index in 0..3 * self.mesh.cell_count() {
             let h = HalfEdge::from_index(index);
             let (a, b) = (self.mesh.origin(h), self.mesh.destination(h));
-            if a.is_ghost() || b.is_ghost() || a > b {
+            if a.is_ghost() || !listed.may_hold(a, b) || a > b {
                 continue;
             }
             let mut found = false;

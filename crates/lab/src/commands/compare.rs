@@ -142,7 +142,7 @@ fn subjects(arguments: &cli::Compare) -> Result<(Vec<Subject>, Vec<Refused>), Fa
             Err(failure) => refused.push(refusal(&path.to_string_lossy(), &failure)),
             Ok(documents) => {
                 for document in documents {
-                    admit(&path, document, &mut subjects, &mut refused);
+                    admit(&path, document, arguments.crossings, &mut subjects, &mut refused);
                 }
             }
         }
@@ -150,10 +150,24 @@ fn subjects(arguments: &cli::Compare) -> Result<(Vec<Subject>, Vec<Refused>), Fa
     Ok((subjects, refused))
 }
 
-fn admit(path: &Path, document: Document, subjects: &mut Vec<Subject>, refused: &mut Vec<Refused>) {
+fn admit(
+    path: &Path,
+    document: Document,
+    crossings: cli::Crossings,
+    subjects: &mut Vec<Subject>,
+    refused: &mut Vec<Refused>,
+) {
     let name =
         if document.name.is_empty() { path.display().to_string() } else { document.name.clone() };
-    match Subject::new(document) {
+    let repair = match crossings {
+        cli::Crossings::Reject => None,
+        cli::Crossings::Split => Some(Subject::crossed as fn(Document) -> _),
+        cli::Crossings::Snap => Some(Subject::snapped as fn(Document) -> _),
+    };
+    let repair = repair.filter(|_| document.dimension == 2 && !document.segments.is_empty());
+    let copy = repair.map(|repair| (repair, document.clone()));
+    let admitted = Subject::new(document);
+    match admitted.or_else(|failure| copy.map_or(Err(failure), |(repair, copy)| repair(copy))) {
         Ok(subject) => subjects.push(subject),
         Err(failure) => refused.push(refusal(&name, &failure)),
     }

@@ -2,6 +2,7 @@
 
 use std::time::Instant;
 
+use delone_cdt::FromPoints;
 use delone_delaunay::{KernelKind, Options};
 use delone_formats::Document;
 use delone_probe::Counts;
@@ -9,23 +10,23 @@ use delone_probe::Counts;
 use crate::cli;
 use crate::engine::{self, Triangulation};
 use crate::failure::Failure;
-use crate::subject::Subject;
+use crate::subject::{Body, Lists, Subject, lists, refusal};
 use crate::{input, output};
 
 /// Builds as often as asked, from points to triangulation, and prints what each took; then once more, counting.
 pub(crate) fn engine(arguments: &cli::Engine) -> Result<(), Failure> {
     output::check_paths([arguments.output.as_path()])?;
     let document = input::read(&arguments.input, None)?;
-    let make: Build = match arguments.task.as_str() {
-        "delaunay" => |document, asked, options| run(Subject::points(document)?, asked, options),
-        "cdt" => constrained,
+    let (options, asked) = (engine::options(&arguments.run), arguments.run.algorithm.as_deref());
+    let task = match arguments.task.as_str() {
+        "delaunay" => Task::Delaunay,
+        "cdt" => Task::constrained(&document, asked, &options)?,
         other => return Err(Failure::input(format!("no task is called {other}: delaunay, cdt"))),
     };
-    let (options, asked) = (engine::options(&arguments.run), arguments.run.algorithm.as_deref());
     let timed = || {
         let copy = document.clone();
         let start = Instant::now();
-        let built = make(copy, asked, &options)?;
+        let built = task.carry_out(copy, asked, &options)?;
         println!("seconds {:e}", start.elapsed().as_secs_f64());
         Ok(built)
     };
@@ -43,30 +44,49 @@ pub(crate) fn engine(arguments: &cli::Engine) -> Result<(), Failure> {
     output::document(&arguments.output, &triangulation.document(&subject)).map(|_| ())
 }
 
-/// From a document, by the algorithm asked for.
-type Build = fn(Document, Option<&str>, &Options) -> Result<(Subject, Triangulation), Failure>;
-
-/// By the algorithm's short way from points and segments, if it has one: that of the adaptive kernel.
-fn constrained(
-    document: Document,
-    asked: Option<&str>,
-    options: &Options,
-) -> Result<(Subject, Triangulation), Failure> {
-    let rows = delone_cdt::algorithms();
-    let row = asked.map_or(rows.first(), |asked| rows.iter().find(|row| row.name == asked));
-    match row.and_then(|row| row.from_points).filter(|_| options.kernel == KernelKind::Adaptive) {
-        Some(from_points) => Subject::constrained(document, from_points)
-            .map(|(subject, cdt)| (subject, Triangulation::Constrained(cdt))),
-        None => run(Subject::graph(document)?, asked, options),
-    }
+/// What is to be built.
+enum Task {
+    Delaunay,
+    /// A CDT by way of a noded graph.
+    Constrained,
+    /// A CDT by an algorithm that nodes segments as it goes.
+    FromPoints(FromPoints, Lists),
 }
 
-fn run(
-    subject: Subject,
-    asked: Option<&str>,
-    options: &Options,
-) -> Result<(Subject, Triangulation), Failure> {
-    let name = engine::choose(&subject, asked)?;
-    let built = engine::run(&subject, name, options, None);
-    Ok((subject, built.triangulation))
+impl Task {
+    /// By the short way from points and segments, if the algorithm has one: that of the adaptive kernel.
+    fn constrained(
+        document: &Document,
+        asked: Option<&str>,
+        options: &Options,
+    ) -> Result<Self, Failure> {
+        let rows = delone_cdt::algorithms();
+        let row = asked.map_or(rows.first(), |asked| rows.iter().find(|row| row.name == asked));
+        let is_adaptive = options.kernel == KernelKind::Adaptive;
+        match row.and_then(|row| row.from_points).filter(|_| is_adaptive) {
+            Some(from_points) => Ok(Self::FromPoints(from_points, lists(document)?)),
+            None => Ok(Self::Constrained),
+        }
+    }
+
+    fn carry_out(
+        &self,
+        document: Document,
+        asked: Option<&str>,
+        options: &Options,
+    ) -> Result<(Subject, Triangulation), Failure> {
+        let subject = match self {
+            Self::Delaunay => Subject::points(document)?,
+            Self::Constrained => Subject::graph(document)?,
+            Self::FromPoints(from_points, (points, segments)) => {
+                let built = from_points(points, segments);
+                let (pslg, cdt) = built.map_err(|error| refusal(&document, &error.to_string()))?;
+                let subject = Subject { body: Body::Graph(pslg), document };
+                return Ok((subject, Triangulation::Constrained(cdt)));
+            }
+        };
+        let name = engine::choose(&subject, asked)?;
+        let built = engine::run(&subject, name, options, None);
+        Ok((subject, built.triangulation))
+    }
 }

@@ -1,14 +1,11 @@
 //! Laws of graphs in the plane: one answer by every way, crossings, files.
 
-use delone::cdt::{algorithms, cavity, cdt_of_arrangement, chew_from_points, from_points};
-use delone::check::{Arranged, Level, Options, judge_arranged};
+use delone::cdt::{algorithms, cavity, chew_from_points, from_points};
 use delone::formats::{Document, Format, Source, one, read_bytes, write};
-use delone::sites::{Arrangement, Noded};
 
 use crate::case::Case;
-use crate::id;
-use crate::judge::{Rigour, accept_constrained, solid_cells};
-use crate::laws::Law;
+use crate::judge::{Rigour, accept_constrained};
+use crate::laws::{Law, crossings};
 
 /// Segments that do not cross: every algorithm and door gives one triangulation, and the judge accepts it.
 pub(in crate::fuzz) fn of_agreement() -> Vec<Law<2>> {
@@ -39,35 +36,9 @@ fn one_answer(case: &Case<2>) -> usize {
     1
 }
 
-/// Segments that cross: every algorithm gives one triangulation, with every crossing a vertex, and the judge proves it.
+/// Segments that cross.
 pub(in crate::fuzz) fn of_crossings() -> Vec<Law<2>> {
     vec![Law { name: "crossings", hold: crossings }]
-}
-
-fn crossings(case: &Case<2>) -> usize {
-    let segments: Vec<[usize; 2]> =
-        case.segments.iter().map(|ends| ends.map(|v| v as usize)).collect();
-    let graph = Arrangement::new(&case.points, &segments).expect("points are finite");
-    let first = cdt_of_arrangement(&graph, &mut ());
-    let count = graph.positions().len();
-    for algorithm in algorithms().iter().filter(|algorithm| count <= algorithm.sites_max) {
-        let other = (algorithm.run_crossed)(&graph, &mut ());
-        assert_eq!(other.canonical(), first.canonical(), "{}: {}", case.name, algorithm.name);
-        assert_eq!(other.constrained_edges(), graph.subsegments(), "{}", algorithm.name);
-    }
-    if first.mesh().dimension() == Some(2) {
-        let vertices: Vec<u32> = (0..id(count)).collect();
-        let arranged = Arranged {
-            points: graph.sites().points(),
-            crossings: graph.crossings(),
-            cells: &solid_cells(first.mesh(), &vertices),
-            segments: graph.segments(),
-            constrained: &first.constrained_edges(),
-        };
-        let verdict = judge_arranged(&arranged, &Options::default());
-        assert!(verdict.ok && verdict.level == Level::Constrained, "{}: {verdict}", case.name);
-    }
-    1 + count - graph.sites().len()
 }
 
 /// What is written is read again, bit for bit.
