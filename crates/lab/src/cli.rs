@@ -24,7 +24,7 @@ pub(crate) use tree::{
 };
 
 pub(crate) use alpha::{Alpha, Asked, Mode};
-pub(crate) use exercise::{Method, Piped, Sample, SvgToLar, Text};
+pub(crate) use exercise::{Align, Method, Piped, Sample, SvgToLar, Text};
 
 #[derive(Parser)]
 #[command(

@@ -54,4 +54,4 @@ pub use classroom::{CLASSROOM, Classroom};
 pub use input::{Input, Points};
 pub use registry::{Kind, Meets, SITES_MAX, UnknownWorkload, Workload, all, find, generate};
 pub use rng::Rng;
-pub use text::{NoGlyph, outlines};
+pub use text::{Align, Layout, NoGlyph, outlines, strokes};

@@ -17,8 +17,30 @@ pub(crate) struct Piped {
 
 #[derive(Args)]
 pub(crate) struct Text {
-    /// The text; there are outlines of " L a r and the blank
+    /// The text; there are outlines of " L a r and the blank, and strokes of all printable characters of ASCII
     pub(crate) text: String,
+    /// In single strokes, open chains of lines, instead of outlines
+    #[arg(long)]
+    pub(crate) strokes: bool,
+    /// Where the shorter ones of several lines are
+    #[arg(long, value_enum, default_value_t = Align::Left)]
+    pub(crate) align: Align,
+    /// Turn everything by so many degrees, counter-clockwise
+    #[arg(long, default_value_t = 0.0, allow_negative_numbers = true)]
+    pub(crate) angle: f64,
+    /// Put so many thousandths of a line's height between characters
+    #[arg(long, default_value_t = 0)]
+    pub(crate) spacing: u32,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Align {
+    /// On the left
+    Left,
+    /// In the middle
+    Centre,
+    /// On the right
+    Right,
 }
 
 #[derive(Args)]

@@ -1,6 +1,7 @@
 //! The pieces of a class exercise, to be joined by pipes: `delone text`, `delone svg2lar`, `delone sample`; and then `delone alpha`.
 
 use delone_formats::{Document, Format};
+use delone_workloads::{Align, Layout, outlines, strokes};
 
 use crate::failure::Failure;
 use crate::sampling::Inside;
@@ -8,7 +9,20 @@ use crate::subject::Subject;
 use crate::{cli, engine, fill, input, output};
 
 pub(crate) fn text(arguments: &cli::Text) -> Result<(), Failure> {
-    let svg = delone_workloads::outlines(&arguments.text).map_err(Failure::input)?;
+    if !arguments.angle.is_finite() {
+        return Err(Failure::input(format!("--angle is {}", arguments.angle)));
+    }
+    let layout = Layout {
+        align: match arguments.align {
+            cli::Align::Left => Align::Left,
+            cli::Align::Centre => Align::Centre,
+            cli::Align::Right => Align::Right,
+        },
+        angle: arguments.angle,
+        spacing: arguments.spacing,
+    };
+    let draw = if arguments.strokes { strokes } else { outlines };
+    let svg = draw(&arguments.text, &layout).map_err(Failure::input)?;
     output::print_bytes(svg.as_bytes())
 }
 
