@@ -33,7 +33,7 @@ use delone_mesh::{Cavity, CellId, Mesh, VertexId};
 use delone_predicates::{Kernel, Projected};
 use delone_probe::{Event, Probe, Unstoppable};
 
-use crate::conflict::{dig_conflicts, in_conflict};
+use crate::conflict::{View, dig_conflicts_looking, in_conflict};
 use crate::flat::{Flat, span};
 use crate::locate::{Coin, walk};
 
@@ -102,7 +102,7 @@ fn build<const D: usize, K: Kernel<D>>(
 ) -> Mesh<D> {
     let first: Vec<VertexId> = (0..=D).map(VertexId::new).collect();
     let mut mesh = Mesh::simplex(&first);
-    let mut cavity = Cavity::new();
+    let (mut cavity, mut view) = (Cavity::new(), View::default());
     let mut coin = Coin::default();
     let mut hint = CellId::new(0);
     for done in D + 1..count {
@@ -115,7 +115,7 @@ fn build<const D: usize, K: Kernel<D>>(
             probe.on(Event::Site { done: done + 1, total: count });
             continue; // Inv 3
         }
-        dig_conflicts(&mesh, kernel, seed, p, &mut cavity, probe);
+        dig_conflicts_looking(&mesh, kernel, seed, p, (&mut cavity, &mut view), probe);
         hint = mesh.star(&mut cavity, p);
         cavity.rim().iter().for_each(|_| probe.on(Event::CellMade));
         probe.on(Event::Site { done: done + 1, total: count });

@@ -4,7 +4,8 @@
 //! **In.** A Delaunay mesh of some sites in R^D; a site `p` not in it. **Out.** Whether a cell's open circumball, after
 //! perturbation, holds `p`; all such cells, and the rim between them and the rest.
 //! **Invariants.** 1. The region is connected. 2. It is star-shaped around `p`. 3. Each rim facet has its cell inside.
-//! **Cost.** One in_sphere for each cell of the cavity and each cell at its rim.
+//! **Cost.** One in_sphere for each cell of the cavity and each cell at its rim. A kernel that can look is shown each cell dug once, and
+//! each vertex beyond once; tests between the two share the rest, and those that these leave open are asked the ordinary way.
 //!
 //! **Degeneracies.**
 //! | case | answer | test |
@@ -13,8 +14,8 @@
 //! | `p` in a hull facet's hyperplane | conflict if inside the facet's own circumsphere, within the hyperplane | `a_site_on_a_hull_edge_takes_its_ghost` |
 //! | `p` in a hull facet's hyperplane, outside that | that ghost does not conflict | `beyond_a_hull_facet_spares_the_ghost` |
 
-use delone_mesh::{Cavity, CellId, Mesh, VertexId};
-use delone_predicates::{Kernel, Side, Sign};
+use delone_mesh::{Cavity, CellId, Digger, FacetId, Mesh, VertexId};
+use delone_predicates::{Kernel, Outlook, Side, Sight, Sign};
 use delone_probe::{Event, Probe};
 
 /// Whether `cell` is in conflict with `p`.
@@ -71,6 +72,101 @@ pub fn dig_conflicts<const D: usize>(
     cavity: &mut Cavity<D>,
     probe: &mut impl Probe,
 ) {
-    cavity.dig(mesh, seed, |cell| in_conflict(mesh, kernel, cell, p, probe));
+    dig_conflicts_looking(mesh, kernel, seed, p, (cavity, &mut View::default()), probe);
+}
+
+/// The same, with scratch space to be used again and again.
+pub(crate) fn dig_conflicts_looking<const D: usize>(
+    mesh: &Mesh<D>,
+    kernel: &impl Kernel<D>,
+    seed: CellId,
+    p: VertexId,
+    (cavity, view): (&mut Cavity<D>, &mut View),
+    probe: &mut impl Probe,
+) {
+    cavity.dig(mesh, seed, Conflicts { mesh, kernel, p, probe, view });
     probe.on(Event::Cavity { cells: cavity.cells().len() });
+}
+
+/// What a site sees of the cells of its cavity, by place, and of those that these meet, by number. Where there is a ghost, nothing.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct View {
+    outlooks: Vec<Outlook>,
+    sights: Vec<Sight>,
+}
+
+/// Digs what is in conflict with a site, which looks about from each cell.
+struct Conflicts<'a, const D: usize, K, P> {
+    mesh: &'a Mesh<D>,
+    kernel: &'a K,
+    p: VertexId,
+    probe: &'a mut P,
+    view: &'a mut View,
+}
+
+impl<const D: usize, K: Kernel<D>, P: Probe> Digger<D> for Conflicts<'_, D, K, P> {
+    #[inline(always)]
+    fn explore(&mut self, place: usize, cell: CellId) {
+        if !K::LOOKS {
+            return;
+        }
+        let corners = &self.mesh.corners(cell)[..=D]; // a length that the compiler knows
+        let outlook = at_place(&mut self.view.outlooks, place);
+        if corners.contains(&VertexId::GHOST) {
+            *outlook = Outlook::default();
+        } else {
+            self.kernel.look(outlook, corners, self.p);
+        }
+    }
+
+    #[inline(always)]
+    fn meet(&mut self, number: usize, apex: VertexId) {
+        if !K::LOOKS {
+            return;
+        }
+        let sight = at_place(&mut self.view.sights, number);
+        if apex.is_ghost() {
+            *sight = Sight::default();
+        } else {
+            self.kernel.see(sight, apex, self.p);
+        }
+    }
+
+    #[inline(always)]
+    fn digs(&mut self, number: usize, from: (usize, usize), beyond: FacetId<D>) -> bool {
+        if K::LOOKS {
+            let (outlook, sight) = (&self.view.outlooks[from.0], &self.view.sights[number]);
+            if let Some(sign) = self.kernel.lifted_beyond(outlook, from.1, sight) {
+                self.probe.on(Event::InSphere);
+                if sign == Sign::Zero {
+                    return self.is_tied_in(beyond.cell());
+                }
+                return sign == Sign::Positive;
+            }
+        }
+        in_conflict(self.mesh, self.kernel, beyond.cell(), self.p, self.probe)
+    }
+}
+
+/// The item at a place of a list that grows.
+#[inline(always)]
+fn at_place<T: Default>(items: &mut Vec<T>, place: usize) -> &mut T {
+    if place >= items.len() {
+        grow(items, place);
+    }
+    &mut items[place]
+}
+
+#[cold]
+#[inline(never)]
+fn grow<T: Default>(items: &mut Vec<T>, place: usize) {
+    items.resize_with(2 * place + 8, T::default);
+}
+
+impl<const D: usize, K: Kernel<D>, P> Conflicts<'_, D, K, P> {
+    #[cold]
+    #[inline(never)]
+    fn is_tied_in(&self, cell: CellId) -> bool {
+        self.kernel.tied(self.mesh.corners(cell), self.p) == Side::Positive
+    }
 }

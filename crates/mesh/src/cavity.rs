@@ -8,7 +8,7 @@
 //!        e-----f            e-----f       ridge is found by turning about it through the old cells.
 //! ```
 //!
-//! **Invariants.** 1. The marked cells are exactly `cells` and those spared. 2. `rim` holds the facets between a cell dug
+//! **Invariants.** 1. The marked cells are exactly the seed and those met. 2. `rim` holds the facets between a cell dug
 //! and one that is not, seen from inside. **Cost.** In space O(1) for each rim facet, by the ridges' names
 //! (`cavity/ridges.rs`); else O(D^2) for each, and the turns, each old facet being crossed O(D) times.
 
@@ -23,10 +23,53 @@ use ridges::Ridges;
 #[derive(Clone, Debug, Default)]
 pub struct Cavity<const D: usize> {
     cells: Pile<CellId>,
-    spared: Pile<CellId>,
+    met: Pile<Met<D>>,
     rim: Pile<FacetId<D>>,
     marks: Vec<Mark>,
     ridges: Ridges<D>,
+}
+
+/// Who says which cells are dug: a function of the cell, or something that looks from cell to cell.
+pub trait Digger<const D: usize> {
+    /// This cell is the one at `place` among those dug.
+    #[inline(always)]
+    fn explore(&mut self, place: usize, cell: CellId) {
+        let _ = (place, cell);
+    }
+
+    /// The cell that is met as the one of this `number` has this vertex off the facet through which it is seen.
+    #[inline(always)]
+    fn meet(&mut self, number: usize, apex: VertexId) {
+        let _ = (number, apex);
+    }
+
+    /// Whether the cell of `beyond`, met with this `number`, is to be dug. `beyond` is the twin of the facet opposite a corner of the
+    /// cell explored at a place: `(place, corner)`.
+    fn digs(&mut self, number: usize, from: (usize, usize), beyond: FacetId<D>) -> bool;
+}
+
+impl<const D: usize, F: FnMut(CellId) -> bool> Digger<D> for F {
+    #[inline(always)]
+    fn digs(&mut self, _: usize, _: (usize, usize), beyond: FacetId<D>) -> bool {
+        self(beyond.cell())
+    }
+}
+
+/// A cell met.
+#[derive(Clone, Copy, Debug)]
+struct Met<const D: usize> {
+    /// From where: the index of the facet, if the places of cells dug were their numbers.
+    slot: usize,
+    /// Its own side of that facet.
+    beyond: FacetId<D>,
+    /// Its vertex off that facet.
+    apex: VertexId,
+}
+
+impl<const D: usize> Default for Met<D> {
+    fn default() -> Self {
+        Self { slot: 0, beyond: FacetId::from_index(0), apex: VertexId::GHOST }
+    }
 }
 
 /// What is known of a cell: one byte each, so that the marks of many cells share a line of the cache, and numbers, so
@@ -43,43 +86,97 @@ impl<const D: usize> Cavity<D> {
         Self::default()
     }
 
-    /// Digs the cells `in_conflict` that are connected with `seed` through such cells; `seed` is one without being asked.
-    /// What was dug before is forgotten. Each cell met is asked about once.
-    pub fn dig(
+    /// Digs the cells that `digger` wants and that are connected with `seed` through such cells; `seed` is one without being
+    /// asked. What was dug before is forgotten. Each cell met is asked about once.
+    pub fn dig(&mut self, mesh: &Mesh<D>, seed: CellId, mut digger: impl Digger<D>) {
+        self.forget(mesh.cell_count());
+        self.marks[seed.index()] = DUG;
+        self.cells.room(1, seed)[0] = seed;
+        self.cells.keep(1);
+        // The usual case apart, so that the compiler knows how many corners a cell has.
+        if mesh.corner_count() == D + 1 {
+            self.dig_from_seed(mesh, seed, &mut digger, D + 1);
+            self.find_rim(mesh, D + 1);
+        } else {
+            self.dig_from_seed(mesh, seed, &mut digger, mesh.corner_count());
+            self.find_rim(mesh, mesh.corner_count());
+        }
+    }
+
+    /// In layers, each of those met beyond the one before. The loops are short, have no branch that the data decides, and no turn
+    /// waits for the one before: a processor has many of them under way, and so waits for memory once for many cells.
+    #[inline(always)]
+    fn dig_from_seed(
         &mut self,
         mesh: &Mesh<D>,
         seed: CellId,
-        mut in_conflict: impl FnMut(CellId) -> bool,
+        digger: &mut impl Digger<D>,
+        count: usize,
     ) {
-        self.forget(mesh.cell_count());
-        self.marks[seed.index()] = DUG;
-        self.cells.push_if(true, seed);
-        let mut explored = 0;
-        while let Some(&cell) = self.cells.as_slice().get(explored) {
-            explored += 1;
-            for facet in mesh.facets(cell) {
-                let beyond = mesh.twin(facet).cell();
-                let mut mark = self.marks[beyond.index()];
-                if mark == UNKNOWN {
-                    let dug = in_conflict(beyond);
-                    mark = SPARED + u8::from(dug);
-                    self.marks[beyond.index()] = mark;
-                    self.cells.push_if(dug, beyond);
-                    self.spared.push_if(!dug, beyond);
+        let Self { cells, met, marks, .. } = self;
+        let marks = marks.as_mut_slice();
+        let (mut explored, mut asked) = (0, 0);
+        while explored < cells.len() {
+            let layer = &cells.as_slice()[explored..];
+            let room = met.room(layer.len() * count, Met::default());
+            let mut found = 0;
+            for (place, &cell) in (explored..).zip(layer) {
+                for (corner, &beyond) in mesh.twins_of(cell)[..count].iter().enumerate() {
+                    let mark = &mut marks[beyond.cell().index()];
+                    let slot = place * (D + 1) + corner;
+                    room[found] = Met { slot, beyond, apex: mesh.apex(beyond) };
+                    found += usize::from(*mark == UNKNOWN);
+                    *mark = (*mark).max(SPARED); // till it is dug
                 }
-                self.rim.push_if(mark == SPARED, facet); // Inv 2
+            }
+            met.keep(found);
+            let news = &met.as_slice()[asked..];
+            for (number, new) in (asked..).zip(news) {
+                digger.meet(number, new.apex);
+            }
+            for (place, &cell) in (explored..).zip(layer) {
+                digger.explore(place, cell);
+            }
+            explored = cells.len();
+            let room = cells.room(news.len(), seed);
+            let mut dug = 0;
+            for (number, &Met { slot, beyond, .. }) in (asked..).zip(news) {
+                let digs = digger.digs(number, (slot / (D + 1), slot % (D + 1)), beyond);
+                marks[beyond.cell().index()] = SPARED + u8::from(digs);
+                room[dug] = beyond.cell();
+                dug += usize::from(digs);
+            }
+            cells.keep(dug);
+            asked = met.len();
+        }
+    }
+
+    /// Lists the facets between cells dug and others.
+    #[inline(always)]
+    fn find_rim(&mut self, mesh: &Mesh<D>, count: usize) {
+        let Self { cells, rim, marks, .. } = self;
+        let room = rim.room(cells.len() * count, FacetId::from_index(0));
+        let mut found = 0;
+        for &cell in cells.as_slice() {
+            let first = FacetId::new(cell, 0);
+            for (corner, beyond) in (0u32..).zip(&mesh.twins_of(cell)[..count]) {
+                room[found] = first.further(corner);
+                found += usize::from(marks[beyond.cell().index()] == SPARED); // Inv 2
             }
         }
+        rim.keep(found);
     }
 
     /// Makes ready for another cavity, in a mesh of `count` cells.
     fn forget(&mut self, count: usize) {
-        for pile in [&mut self.cells, &mut self.spared] {
-            for cell in pile.as_slice() {
-                self.marks[cell.index()] = UNKNOWN;
-            }
-            pile.clear();
+        for seed in self.cells.as_slice().iter().take(1) {
+            self.marks[seed.index()] = UNKNOWN;
         }
+        for met in self.met.as_slice() {
+            self.marks[met.beyond.cell().index()] = UNKNOWN;
+        }
+        self.cells.clear();
+        self.met.clear();
         self.rim.clear();
         if self.marks.len() < count {
             self.marks.resize(count, UNKNOWN);
@@ -112,8 +209,7 @@ impl<const D: usize> Mesh<D> {
     /// # Panics
     /// If the rim is empty.
     pub fn star(&mut self, cavity: &mut Cavity<D>, apex: VertexId) -> CellId {
-        let named = D == 3 && self.corner_count() == 4 && self.name_rim(cavity);
-        let last = if named {
+        let last = if D == 3 && self.corner_count() == 4 && cavity.rim.len() <= ridges::FACETS_MAX {
             self.star_by_names(cavity, apex)
         } else if self.corner_count() == D + 1 {
             // The usual case apart, so that the compiler knows how many corners a cell has.

@@ -59,6 +59,12 @@ impl VertexId {
 
     index!();
 
+    /// A place in a list by vertex in which the ghost's comes first: the index plus two, and 0.
+    #[inline(always)]
+    pub(crate) const fn place(self) -> usize {
+        self.0.get().wrapping_add(1) as usize
+    }
+
     /// Whether this is the vertex at infinity.
     #[inline]
     #[must_use]

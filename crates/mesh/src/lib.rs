@@ -48,7 +48,7 @@ mod mesh;
 mod transplant;
 mod validate;
 
-pub use cavity::Cavity;
+pub use cavity::{Cavity, Digger};
 pub use half_edge::HalfEdge;
 pub use handle::{CellId, FacetId, VertexId};
 pub use mesh::Mesh;

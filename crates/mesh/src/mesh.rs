@@ -210,6 +210,13 @@ impl<const D: usize> Mesh<D> {
         self.twins[facet.index()]
     }
 
+    /// The twins of a cell's facets, and what is in the slots that a mesh of lower dimension leaves.
+    #[inline(always)]
+    pub(crate) fn twins_of(&self, cell: CellId) -> &[FacetId<D>] {
+        let first = cell.index() * (D + 1);
+        &self.twins[first..=first + D]
+    }
+
     /// The vertex opposite a facet, in the facet's own cell.
     #[inline]
     #[must_use]
@@ -245,6 +252,20 @@ impl<const D: usize> Mesh<D> {
         match self.free.pop() {
             Some(cell) => cell,
             None => self.new_cell(),
+        }
+    }
+
+    /// Sees to it that `count` slots are retired; new ones come last in turn, the first of them first.
+    #[inline]
+    pub(crate) fn provide(&mut self, count: usize) {
+        let first = self.cell_count();
+        let missing = count.saturating_sub(self.free.len());
+        if missing > 0 {
+            let fresh = first..first + missing;
+            self.vertices.resize(fresh.end * (D + 1), VertexId::GHOST);
+            let facets = first * (D + 1)..fresh.end * (D + 1);
+            self.twins.extend(facets.map(FacetId::<D>::from_index));
+            self.free.splice(0..0, fresh.rev().map(CellId::new));
         }
     }
 

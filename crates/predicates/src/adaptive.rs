@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use crate::filter::Bounds;
 use crate::kernel::{Id, Kernel, PlaneKernel, all_axes};
-use crate::{Sign, Stage, exact, filter};
+use crate::{Outlook, Sight, Sign, Stage, exact, filter};
 
 /// The default kernel: floating-point filters, exact integers behind them.
 ///
@@ -243,6 +243,8 @@ impl<const D: usize, P: AsRef<[[f64; D]]>> Kernel<D> for Exact<P> {
 impl<const D: usize, P: AsRef<[[f64; D]]>> Kernel<D> for Adaptive<P> {
     type Reordered = Adaptive<Vec<[f64; D]>>;
 
+    const LOOKS: bool = D == 3;
+
     /// The bounds stay those of all points of this kernel, also if `order` leaves some out.
     fn reordered(&self, order: &[u32]) -> Self::Reordered {
         Adaptive { points: gather(self.points.as_ref(), order), bounds: self.bounds }
@@ -309,6 +311,25 @@ impl<const D: usize, P: AsRef<[[f64; D]]>> Kernel<D> for Adaptive<P> {
             }
             _ => lifted_any(&self.points, simplex, q),
         }
+    }
+
+    #[inline(always)]
+    fn look<V: Id>(&self, outlook: &mut Outlook, cell: &[V], q: V) {
+        let at = |v| same(point(&self.points, v));
+        if let (true, &[a, b, c, d]) = (D == 3, cell) {
+            outlook.look([at(a), at(b), at(c), at(d)], at(q));
+        }
+    }
+
+    #[inline(always)]
+    fn see<V: Id>(&self, sight: &mut Sight, apex: V, q: V) {
+        let at = |v| same(point(&self.points, v));
+        sight.see(at(apex), at(q));
+    }
+
+    #[inline(always)]
+    fn lifted_beyond(&self, outlook: &Outlook, corner: usize, apex: &Sight) -> Option<Sign> {
+        outlook.beyond(corner, apex, self.bounds.lifted)
     }
 }
 

@@ -32,6 +32,7 @@
 //! **Out.** `None` means uncertain, never "zero".
 
 pub(crate) mod any;
+pub(crate) mod outlook;
 pub(crate) mod value;
 
 use crate::exact::align::odd;
@@ -95,7 +96,8 @@ impl Bounds {
                 let cofactor = z * minor + z * minor + z * minor + GUARD;
                 Self {
                     orient: ORIENT_3D * cofactor,
-                    lifted: IN_SPHERE * in_sphere_permanent([height; 4], [cofactor; 4]),
+                    lifted: (IN_SPHERE * in_sphere_permanent([height; 4], [cofactor; 4]))
+                        .max(Self::beyond([x, y, z])),
                 }
             }
             _ => Self::NONE,

@@ -5,7 +5,7 @@
 
 use std::cmp::Ordering;
 
-use crate::{Side, Sign, Stage, perturb};
+use crate::{Outlook, Side, Sight, Sign, Stage, perturb};
 
 /// A vertex id as kernels take it: anything small that turns into an index.
 pub trait Id: Copy + Eq {
@@ -36,6 +36,9 @@ pub trait Kernel<const D: usize> {
 
     /// Whether a site may be hidden: in conflict with no cell, and a vertex of none. So it is with weights.
     const HIDES: bool = false;
+
+    /// Whether this kernel can [`Kernel::look`].
+    const LOOKS: bool = false;
 
     /// The kernel whose vertex `i` is this one's vertex `order[i]`, laid out in that order.
     fn reordered(&self, order: &[u32]) -> Self::Reordered;
@@ -86,8 +89,34 @@ pub trait Kernel<const D: usize> {
     fn in_sphere<V: Id>(&self, simplex: &[V], q: V) -> Side {
         match self.lifted(simplex, q).side() {
             Some(side) => side,
-            None => perturb::tie(self, &all_axes::<D>(), simplex, q, Sign::Positive),
+            None => self.tied(simplex, q),
         }
+    }
+
+    /// [`Kernel::in_sphere`] where [`Kernel::lifted`] is known to be zero.
+    #[inline]
+    fn tied<V: Id>(&self, simplex: &[V], q: V) -> Side {
+        perturb::tie(self, &all_axes::<D>(), simplex, q, Sign::Positive)
+    }
+
+    /// Prepares for questions about the cells around a cell, positively oriented: whether `q` is in their spheres.
+    #[inline(always)]
+    fn look<V: Id>(&self, outlook: &mut Outlook, cell: &[V], q: V) {
+        let _ = (outlook, cell, q);
+    }
+
+    /// Prepares for questions about a cell around it, of which `apex` is the vertex off the facet between the two.
+    #[inline(always)]
+    fn see<V: Id>(&self, sight: &mut Sight, apex: V, q: V) {
+        let _ = (sight, apex, q);
+    }
+
+    /// [`Kernel::lifted`] of `q` and the cell beyond the facet opposite `corner` of the cell that `q` looked at; its apex is the vertex
+    /// that `q` sees so. `None` if that is to be asked the ordinary way.
+    #[inline(always)]
+    fn lifted_beyond(&self, outlook: &Outlook, corner: usize, apex: &Sight) -> Option<Sign> {
+        let _ = (outlook, corner, apex);
+        None
     }
 
     /// Whether `q` is in the smallest sphere through D vertices that span a hyperplane containing `q`, that is, in
@@ -122,6 +151,8 @@ impl<const D: usize, K: Kernel<D>> Kernel<D> for &K {
     type Reordered = K::Reordered;
 
     const HIDES: bool = K::HIDES;
+
+    const LOOKS: bool = K::LOOKS;
 
     fn reordered(&self, order: &[u32]) -> Self::Reordered {
         (**self).reordered(order)
@@ -165,6 +196,25 @@ impl<const D: usize, K: Kernel<D>> Kernel<D> for &K {
 
     fn in_sphere_within<V: Id>(&self, facet: &[V], q: V) -> Side {
         (**self).in_sphere_within(facet, q)
+    }
+
+    fn tied<V: Id>(&self, simplex: &[V], q: V) -> Side {
+        (**self).tied(simplex, q)
+    }
+
+    #[inline(always)]
+    fn look<V: Id>(&self, outlook: &mut Outlook, cell: &[V], q: V) {
+        (**self).look(outlook, cell, q);
+    }
+
+    #[inline(always)]
+    fn see<V: Id>(&self, sight: &mut Sight, apex: V, q: V) {
+        (**self).see(sight, apex, q);
+    }
+
+    #[inline(always)]
+    fn lifted_beyond(&self, outlook: &Outlook, corner: usize, apex: &Sight) -> Option<Sign> {
+        (**self).lifted_beyond(outlook, corner, apex)
     }
 }
 

@@ -74,6 +74,7 @@ pub use constructed::{Constructed, Construction, ConstructionError};
 pub use counting::{Counting, Question, Tally};
 pub use dyadic::Dyadic;
 pub use exact_over::ExactOver;
+pub use filter::outlook::{Outlook, Sight};
 pub use kernel::{Id, Kernel, PlaneKernel, all_axes};
 pub use metric::{Metric, SquaredRadius};
 pub use naive::Naive;

@@ -1,4 +1,4 @@
-//! A list that grows without asking: whether an item stays is added to the length, and no branch has to be guessed.
+//! A list that grows without asking: items are written one after the other, and of each it is added to a length whether it stays.
 //!
 //! What is found about cells and vertices in a cavity is as good as random. A mispredicted branch for each would cost
 //! more than all the rest.
@@ -18,21 +18,27 @@ impl<T> Default for Pile<T> {
 }
 
 impl<T: Copy> Pile<T> {
-    /// Adds the item if it is to be kept.
+    /// Slots after the list, for `count` items or for one at least: whoever writes an item that does not stay writes the next
+    /// in its place.
     #[inline(always)]
-    pub(super) fn push_if(&mut self, keep: bool, item: T) {
-        if let Some(slot) = self.slots.get_mut(self.len) {
-            *slot = item;
-        } else {
-            self.grow(item);
+    pub(super) fn room(&mut self, count: usize, filler: T) -> &mut [T] {
+        let end = self.len + count + 1;
+        if end > self.slots.len() {
+            self.grow(end, filler);
         }
-        self.len += usize::from(keep);
+        &mut self.slots[self.len..end]
+    }
+
+    /// Takes in the first `count` items of the room.
+    #[inline(always)]
+    pub(super) fn keep(&mut self, count: usize) {
+        self.len += count;
     }
 
     #[cold]
     #[inline(never)]
-    fn grow(&mut self, item: T) {
-        self.slots.resize(2 * self.slots.len() + 8, item);
+    fn grow(&mut self, end: usize, filler: T) {
+        self.slots.resize(2 * end, filler);
     }
 
     #[inline(always)]

@@ -1,0 +1,84 @@
+use crate::*;
+
+/// Numbers between -1 and 1, the same ones each time.
+fn numbers() -> impl FnMut() -> f64 {
+    let mut state = 7u64;
+    move || {
+        state =
+            state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        f64::from(u32::try_from(state >> 32).unwrap()) / 2_147_483_648.0 - 1.0
+    }
+}
+
+/// Whether the tests beyond all facets of some cells are right where they are sure: how many are, and how many there are.
+fn sure(points: &[[f64; 3]]) -> (usize, usize) {
+    let (kernel, exact) = (Adaptive::new(points), Exact::new(points));
+    let (mut outlook, mut sight) = (Outlook::default(), Sight::default());
+    let (mut sure, mut all) = (0, 0);
+    for six in 0..points.len() / 6 {
+        let ids: [usize; 6] = std::array::from_fn(|i| 6 * six + i);
+        let (cell, apex, q) = ([ids[0], ids[1], ids[2], ids[3]], ids[4], ids[5]);
+        kernel.look(&mut outlook, &cell, q);
+        kernel.see(&mut sight, apex, q);
+        for corner in 0..4 {
+            all += 1;
+            let mut beyond = cell;
+            beyond[corner] = apex;
+            beyond.swap(0, 1); // the apex is on the other side: so it is the cell beyond that turns the right way
+            if let Some(sign) = Kernel::<3>::lifted_beyond(&kernel, &outlook, corner, &sight) {
+                assert_eq!(sign, exact.lifted(&beyond, q), "corner {corner} of {six}");
+                sure += 1;
+            }
+        }
+    }
+    (sure, all)
+}
+
+#[test]
+fn tests_beyond_facets_are_those_of_the_cells_there() {
+    let mut number = numbers();
+    for scale in [1.0, 1e-50, 1e50, 1e-100] {
+        let points: Vec<[f64; 3]> =
+            (0..6000).map(|_| std::array::from_fn(|_| number() * scale)).collect();
+        let (sure, all) = sure(&points);
+        // Products of five below the least double decide nothing.
+        let floor = if scale < 1e-60 { 0 } else { all * 9 / 10 };
+        assert!(sure >= floor && (floor > 0 || sure == 0), "{sure} of {all} at {scale}");
+    }
+}
+
+#[test]
+fn nearly_cospherical_tests_beyond_facets_are_right_or_unsure() {
+    let mut number = numbers();
+    let mut near = || {
+        let v: [f64; 3] = std::array::from_fn(|_| number());
+        let length = v.iter().map(|x| x * x).sum::<f64>().sqrt();
+        v.map(|x| x / length + number() * 2e-16)
+    };
+    let points: Vec<[f64; 3]> = (0..6000).map(|_| near()).collect();
+    let (sure, all) = sure(&points);
+    assert!(sure < all / 2, "{sure} of {all}");
+}
+
+#[test]
+fn on_a_small_lattice_tests_beyond_facets_are_all_sure() {
+    let mut number = numbers();
+    let points: Vec<[f64; 3]> =
+        (0..6000).map(|_| std::array::from_fn(|_| (number() * 3.0).round())).collect();
+    let (sure, all) = sure(&points);
+    assert_eq!(sure, all);
+}
+
+#[test]
+fn what_is_not_seen_decides_nothing() {
+    let points = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 1.0, 1.0]];
+    let kernel = Adaptive::new(points); // exact, so that any number would decide
+    let (mut outlook, mut sight) = (Outlook::default(), Sight::default());
+    let ask =
+        |outlook: &Outlook, sight: &Sight| Kernel::<3>::lifted_beyond(&kernel, outlook, 0, sight);
+    assert_eq!(ask(&outlook, &sight), None);
+    kernel.see(&mut sight, 4usize, 0);
+    assert_eq!(ask(&outlook, &sight), None);
+    kernel.look(&mut outlook, &[0usize, 1, 2, 3], 4);
+    assert_eq!(ask(&outlook, &Sight::default()), None);
+}
