@@ -45,15 +45,34 @@ impl Cgal {
 
     fn named(name: &str) -> Option<Self> {
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-        let binary = root.join("target/peers").join(name);
-        let mut command = Command::new(&binary);
-        command.stdin(Stdio::piped()).stdout(Stdio::piped());
-        let Ok(mut child) = command.spawn() else {
+        let peer = Self::of(&mut Command::new(root.join("target/peers").join(name)));
+        if peer.is_none() {
             say(format!("skipped: {name} is not built (`cargo xtask setup` builds it)"));
+        }
+        peer
+    }
+
+    /// Starts Triangle instead, which refines in the same words and does nothing else; `None`, said aloud, if `python3`, or what
+    /// `DELONE_PYTHON` names, has no package `triangle`.
+    #[must_use]
+    pub fn triangle() -> Option<Self> {
+        let python = std::env::var_os("DELONE_PYTHON").unwrap_or_else(|| "python3".into());
+        let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("peers/triangle_refine.py");
+        let mut peer = Self::of(Command::new(python).arg(script).stderr(Stdio::null()));
+        let mut word = String::new();
+        if let Some(peer) = &mut peer {
+            peer.from.read_line(&mut word).unwrap_or_default();
+        }
+        if word.trim_end() != "triangle" {
+            say("skipped: python3 has no triangle (name a Python that has it by DELONE_PYTHON)");
             return None;
-        };
-        let to = child.stdin.take().expect("its input is piped");
-        let from = BufReader::new(child.stdout.take().expect("its output is piped"));
+        }
+        peer
+    }
+
+    fn of(command: &mut Command) -> Option<Self> {
+        let mut child = command.stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().ok()?;
+        let (to, from) = (child.stdin.take()?, BufReader::new(child.stdout.take()?));
         Some(Self { child, to, from, seconds: 0.0 })
     }
 

@@ -31,6 +31,7 @@
 mod chain;
 mod edges;
 mod error;
+mod inside;
 mod measure;
 mod rule;
 mod seeds;
@@ -39,11 +40,12 @@ use delone_mesh::CellId;
 use delone_sites::Noded;
 
 use crate::area::total;
-use crate::regions::{RegionId, Regions, Shore};
+use crate::regions::{RegionId, Regions};
 use crate::{Area, Cdt};
 
 pub use edges::EdgeKind;
 pub use error::{FillError, OpenVertex, SeedFault};
+pub use inside::Inside;
 pub use rule::{Fill, Role};
 
 /// A CDT's regions, and which of them are inside. See the module's text.
@@ -63,12 +65,9 @@ pub use rule::{Fill, Role};
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Domain {
-    regions: Regions,
+    inside: Inside,
     areas: Vec<Area>,
     seeds: Vec<Option<[f64; 2]>>,
-    depths: Vec<u32>,
-    chain: Option<Vec<i64>>,
-    inside: Vec<bool>,
     kinds: Vec<EdgeKind>,
 }
 
@@ -76,48 +75,30 @@ impl Domain {
     /// Fills the CDT of a noded graph by a rule. O(n) (seeds: each O(n) more).
     ///
     /// # Errors
-    /// If the rule asks for a chain and the input does not close; if seeds are not finite or lie on segments; if there are
-    /// not as many roles as segments. Every violation is listed.
+    /// As [`Inside::new`].
     pub fn new(cdt: &Cdt, graph: &impl Noded, fill: &Fill) -> Result<Self, FillError> {
-        let shore = if *fill == Fill::Hull { Shore::Hull } else { Shore::Segments };
-        let regions = Regions::up_to(shore, cdt, graph);
-        let depths = chain::depths(&regions);
-        let chain = chain::of_rule(&regions, graph, fill)?;
-        let count = regions.count();
-        let inside: Vec<bool> = match (fill, &chain) {
-            (Fill::NonZero, Some(winding)) => winding.iter().map(|&w| w != 0).collect(),
-            (_, Some(chain)) => chain.iter().map(|&c| c > 0).collect(),
-            (Fill::Nesting, None) => depths.iter().map(|depth| depth % 2 == 1).collect(),
-            (Fill::Seeds(seeds), None) => {
-                let mut inside: Vec<bool> = (0..count).map(|region| region > 0).collect();
-                for region in seeds::regions(cdt, graph, &regions, seeds)? {
-                    inside[region as usize] = false;
-                }
-                inside
-            }
-            (_, None) => (0..count).map(|region| region > 0).collect(),
-        };
-        let measures = measure::measure(cdt, graph, &regions);
-        let kinds = edges::kinds(&regions, graph, &inside);
+        let inside = Inside::new(cdt, graph, fill)?;
+        let measures = measure::measure(cdt, graph, &inside.regions);
+        let kinds = edges::kinds(&inside.regions, graph, inside.by_region());
         let (areas, seeds) = measures.into_iter().unzip();
-        Ok(Self { regions, areas, seeds, depths, chain, inside, kinds })
+        Ok(Self { inside, areas, seeds, kinds })
     }
 
     /// The regions.
     #[must_use]
     pub fn regions(&self) -> &Regions {
-        &self.regions
+        &self.inside.regions
     }
 
     /// Whether a region is inside.
     #[must_use]
     pub fn is_inside(&self, region: RegionId) -> bool {
-        self.inside[region as usize]
+        self.inside.is_inside(region)
     }
 
     /// The cells inside, by index.
     pub fn cells<'a>(&'a self, cdt: &'a Cdt) -> impl Iterator<Item = CellId> + Clone + 'a {
-        cdt.cells().filter(|&cell| self.is_inside(self.regions.of_cell(cell)))
+        cdt.cells().filter(|&cell| self.is_inside(self.regions().of_cell(cell)))
     }
 
     /// The area of a region, exactly; of the exterior, the part within the convex hull.
@@ -129,21 +110,21 @@ impl Domain {
     /// The area of all that is inside, exactly. Among k crossings it may be a fraction of some hundred digits for each.
     #[must_use]
     pub fn area(&self) -> Area {
-        let inside = self.areas.iter().zip(&self.inside).filter(|(_, inside)| **inside);
+        let inside = self.areas.iter().zip(self.inside.by_region()).filter(|(_, inside)| **inside);
         total(inside.map(|(area, _)| area.clone()).collect())
     }
 
     /// The fewest subsegments on any way from infinity into a region.
     #[must_use]
     pub fn depth(&self, region: RegionId) -> u32 {
-        self.depths[region as usize]
+        self.inside.depths[region as usize]
     }
 
     /// The coefficient of each region in the chain whose boundary is the input: parity for [`Fill::EvenOdd`] and
     /// [`Fill::Tagged`], the winding number for [`Fill::NonZero`] and [`Fill::Positive`]; no chain for other rules.
     #[must_use]
     pub fn chain(&self) -> Option<&[i64]> {
-        self.chain.as_deref()
+        self.inside.chain.as_deref()
     }
 
     /// A point strictly inside a region; `None` for the exterior, and if no point was found that doubles can name.
@@ -154,7 +135,7 @@ impl Domain {
 
     /// The regions that are neither inside nor the exterior.
     pub fn holes(&self) -> impl Iterator<Item = RegionId> + Clone + '_ {
-        (1u32..).take(self.regions.count() - 1).filter(|&region| !self.is_inside(region))
+        (1u32..).take(self.regions().count() - 1).filter(|&region| !self.is_inside(region))
     }
 
     /// The kind of each subsegment.

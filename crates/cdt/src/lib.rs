@@ -54,13 +54,13 @@ mod triangulate2d;
 
 pub use area::Area;
 pub use cavity::insert_segments;
-pub use domain::{Domain, EdgeKind, Fill, FillError, OpenVertex, Role, SeedFault};
+pub use domain::{Domain, EdgeKind, Fill, FillError, Inside, OpenVertex, Role, SeedFault};
 pub use dynamic::{Dynamic, Kept};
 pub use flips::Blocked;
 pub use from_points::{chew_from_points, from_points};
 pub use regions::{RegionId, Regions};
 pub use registry::{Algorithm, FromPoints, algorithms, cavity, cdt_of_arrangement, chew, flips};
-pub use result::Cdt;
+pub use result::{Cdt, constrained_half_edges};
 pub use triangulate2d::{Interior, InteriorError, triangulate2d};
 
 #[cfg(test)]

@@ -24,6 +24,7 @@ use delone_mesh::{CellId, HalfEdge, Mesh};
 use delone_sites::Noded;
 
 use crate::Cdt;
+use crate::result::constrained_half_edges;
 
 /// The number of a region; 0 is the exterior.
 pub type RegionId = u32;
@@ -61,11 +62,9 @@ impl Regions {
             let of_cell = vec![0; mesh.cell_count()];
             return Self { of_cell, count: 1, sides: vec![[0; 2]; subsegments], shore: Vec::new() };
         }
-        let is_cut = |h: HalfEdge| {
-            let is_hull = mesh.is_ghost(h.cell()) != mesh.is_ghost(mesh.twin(h).cell());
-            cdt.is_constrained(h) || (shore == Shore::Hull && is_hull)
-        };
-        let (of_cell, count) = flooded(mesh, &starts(mesh, &graph.ranks()), is_cut);
+        let is_hull = |h: HalfEdge| mesh.is_ghost(h.cell()) != mesh.is_ghost(mesh.twin(h).cell());
+        let is_cut = |h: HalfEdge| cdt.is_constrained(h) || (shore == Shore::Hull && is_hull(h));
+        let (of_cell, count) = flooded(mesh, &graph.ranks(), is_cut);
         let shore = mesh.ghost_cells().flat_map(|cell| mesh.facets(cell));
         let shore = shore.filter(|&h| is_cut(h) && !cdt.is_constrained(h));
         let mut shore: Vec<RegionId> =
@@ -73,12 +72,9 @@ impl Regions {
         shore.sort_unstable();
         shore.dedup();
         let mut regions = Self { of_cell, count, sides: vec![[0; 2]; subsegments], shore };
-        for h in mesh.cells().flat_map(|cell| mesh.facets(cell)).filter(|&h| cdt.is_constrained(h))
-        {
-            let [a, b] = [mesh.origin(h), mesh.destination(h)].map(|v| id(v.index()));
-            let place = graph.subsegments().binary_search(&[a.min(b), a.max(b)]);
-            let place = place.expect("a constrained edge is a subsegment of its graph");
-            regions.sides[place][usize::from(a > b)] = regions.of_cell[h.cell().index()];
+        for (h, place) in constrained_half_edges(cdt, graph) {
+            let is_right = mesh.origin(h).index() > mesh.destination(h).index();
+            regions.sides[place][usize::from(is_right)] = regions.of_cell[h.cell().index()];
         }
         regions
     }
@@ -134,46 +130,53 @@ pub(crate) struct Step {
     pub(crate) leftwards: bool,
 }
 
-/// A ghost, then the solid cells by their corners' ranks, leftmost first.
-fn starts(mesh: &Mesh<2>, ranks: &[u32]) -> Vec<CellId> {
-    let key = |cell: &CellId| {
-        let mut corners = [0, 1, 2].map(|corner| ranks[mesh.vertex(*cell, corner).index()]);
-        corners.sort_unstable();
-        corners
-    };
-    let mut solid: Vec<CellId> = mesh.solid_cells().collect();
-    solid.sort_by_cached_key(key);
-    mesh.ghost_cells().take(1).chain(solid).collect()
+/// The corners' places in the order of the plane, leftmost first.
+fn key(mesh: &Mesh<2>, ranks: &[u32], cell: CellId) -> [u32; 3] {
+    let mut corners = [0, 1, 2].map(|corner| ranks[mesh.vertex(cell, corner).index()]);
+    corners.sort_unstable();
+    corners
 }
 
-/// Numbers the connected sets of cells in the order of `starts`.
+/// Numbers the connected sets of cells: that of the ghosts first, the others by their leftmost triangles.
 fn flooded(
     mesh: &Mesh<2>,
-    starts: &[CellId],
+    ranks: &[u32],
     is_cut: impl Fn(HalfEdge) -> bool,
 ) -> (Vec<RegionId>, usize) {
     const NONE: RegionId = RegionId::MAX;
     let mut of_cell = vec![NONE; mesh.cell_count()];
-    let mut count = 0;
+    let mut leftmost: Vec<[u32; 3]> = Vec::new();
     let mut stack = Vec::new();
-    for &start in starts {
+    for start in mesh.ghost_cells().take(1).chain(mesh.solid_cells()) {
         if of_cell[start.index()] != NONE {
             continue;
         }
-        of_cell[start.index()] = count;
+        let number = id(leftmost.len());
+        let mut least = [u32::MAX; 3];
+        of_cell[start.index()] = number;
         stack.push(start);
         while let Some(cell) = stack.pop() {
+            if number > 0 {
+                least = least.min(key(mesh, ranks, cell));
+            }
             for h in mesh.facets(cell).filter(|&h| !is_cut(h)) {
                 let beyond = mesh.twin(h).cell();
                 if of_cell[beyond.index()] == NONE {
-                    of_cell[beyond.index()] = count;
+                    of_cell[beyond.index()] = number;
                     stack.push(beyond);
                 }
             }
         }
-        count += 1;
+        leftmost.push(least);
     }
-    (of_cell, count as usize)
+    let mut order: Vec<usize> = (1..leftmost.len()).collect();
+    order.sort_unstable_by_key(|&number| leftmost[number]);
+    let mut names = vec![0; leftmost.len()];
+    for (name, number) in (1..).zip(order) {
+        names[number] = name;
+    }
+    of_cell.iter_mut().for_each(|region| *region = names[*region as usize]);
+    (of_cell, leftmost.len())
 }
 
 pub(crate) fn id(index: usize) -> u32 {

@@ -82,6 +82,33 @@ impl Cdt {
     }
 }
 
+/// The constrained half-edges of the CDT of a graph, of dimension 2, each with the place of its subsegment in
+/// [`Noded::subsegments`]. O(n), and O(log d) for each at a vertex of degree d.
+///
+/// # Panics
+/// If the CDT is not this graph's.
+pub fn constrained_half_edges<'a>(
+    cdt: &'a Cdt,
+    graph: &'a impl Noded,
+) -> impl Iterator<Item = (HalfEdge, usize)> + 'a {
+    let all = graph.subsegments();
+    // Subsegments are sorted: for each vertex, where those begin of which it is the smaller end.
+    let mut starts = Vec::with_capacity(graph.positions().len() + 1);
+    starts.push(0);
+    for (place, &[low, _]) in all.iter().enumerate() {
+        starts.resize(starts.len().max(low as usize + 1), place);
+    }
+    starts.resize(graph.positions().len() + 1, all.len());
+    let marked = (0..cdt.constrained.len()).filter(|&index| cdt.constrained[index]);
+    marked.map(HalfEdge::from_index).map(move |h| {
+        let [a, b] = [cdt.mesh.origin(h), cdt.mesh.destination(h)].map(|v| v.index());
+        let (low, high) = (a.min(b), id(a.max(b)));
+        let (first, end) = (starts[low], starts[low + 1]);
+        let place = all[first..end].binary_search_by_key(&high, |&[_, high]| high);
+        (h, first + place.expect("a constrained edge is a subsegment of its graph"))
+    })
+}
+
 fn id(index: usize) -> u32 {
     u32::try_from(index).expect("a vertex index fits 32 bits")
 }

@@ -17,6 +17,10 @@ use crate::scene::{Ratio, Scene, Sides};
 use crate::verdict::{Level, Report, Verdict};
 use std::collections::BTreeSet;
 
+mod angles;
+
+pub use angles::{Angles, judge_refined};
+
 /// A vertex that was added.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SteinerPoint<'a> {
@@ -84,6 +88,15 @@ const DIGITS_MAX: u64 = 1 << 20;
 /// ```
 #[must_use]
 pub fn judge_conforming(conformed: &Conformed<'_>, options: &Options) -> Verdict {
+    judge(conformed, options, |_, _, _| {})
+}
+
+/// Judges, and asks what is `more`, of the triangulation and its edges on segments.
+fn judge(
+    conformed: &Conformed<'_>,
+    options: &Options,
+    more: impl FnOnce(&Scene<'_>, &BTreeSet<[u32; 2]>, &mut Report),
+) -> Verdict {
     let mut report = Report::new(options.faults_max);
     let Some(scene) = read(conformed, &mut report) else { return report.verdict() };
     let edges = scene.edges(&mut report);
@@ -103,6 +116,7 @@ pub fn judge_conforming(conformed: &Conformed<'_>, options: &Options) -> Verdict
     if conformed.promise == Promise::EmptyDisks {
         check_disks(&scene, &edges, &covered, &mut report);
     }
+    more(&scene, &covered, &mut report);
     if tiles && report.is_clean() {
         let strict = options.ties == Ties::Strict;
         report.reached(match (conformed.promise, strict) {

@@ -89,6 +89,10 @@ pub enum Fault {
     OffSegment { point: u32, ends: Simplex },
     /// A vertex is in the closed diametral disk of a subsegment.
     EncroachedEdge { edge: Simplex, by: Witness },
+    /// A cell inside has an angle that is less than the least, and is no exception.
+    SmallAngle { cell: Simplex, at: Witness },
+    /// A cell is said to be an exception, and touches no two segments that meet at less than 60 degrees.
+    NoException { cell: Simplex },
     /// A simplex is no face of the cells, or was told before.
     ExtraSimplex { simplex: Simplex },
     /// A face of the cells was not told.
@@ -150,6 +154,8 @@ impl Fault {
             Self::WrongSide { .. } => "wrong-side",
             Self::OffSegment { .. } => "off-segment",
             Self::EncroachedEdge { .. } => "encroached-edge",
+            Self::SmallAngle { .. } => "small-angle",
+            Self::NoException { .. } => "no-exception",
             Self::ExtraSimplex { .. } => "extra-simplex",
             Self::MissingSimplex { .. } => "missing-simplex",
             Self::WrongValue { .. } => "wrong-value",

@@ -30,6 +30,7 @@
 //! | [`judge_constrained`] | constrained Delaunay in the plane | the same, plus all chains |
 //! | [`judge_arranged`] | the same where segments cross, crossings being vertices | sorts, big ratios |
 //! | [`judge_conforming`] | the same with Steiner points, exactly on their segments | sorts, big ratios |
+//! | [`judge_refined`] | that, and the least angle, but for exceptions at small input angles | the same |
 //! | [`judge_fill`] | what is inside, by a rule | a ray for each region |
 //! | [`judge_alpha`] | alpha filtrations: every simplex's value | the first two, and 2^D determinants a simplex |
 //! | [`judge_links`] | the twins and ghosts of a mesh | sorting |
@@ -82,7 +83,7 @@ mod verdict;
 pub use alpha::judge_alpha;
 pub use arranged::{Arranged, judge_arranged};
 pub use cells::Complex;
-pub use conforming::{Conformed, Promise, SteinerPoint, judge_conforming};
+pub use conforming::{Angles, Conformed, Promise, SteinerPoint, judge_conforming, judge_refined};
 pub use constrained::judge_constrained;
 pub use delaunay::judge_delaunay;
 pub use fault::{Fault, Simplex, Witness};

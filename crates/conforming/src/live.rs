@@ -22,7 +22,7 @@
 //! | p cocircular with a triangle | the perturbation decides | `points_on_a_grid_keep_the_cdt` |
 //! | p does not round to itself | exact all the same: the kernel constructs it | `thirds_are_exact` |
 
-use delone_cdt::Cdt;
+use delone_cdt::{Cdt, constrained_half_edges};
 use delone_mesh::{CellId, HalfEdge, Mesh, VertexId};
 use delone_predicates::{Constructed, Construction, Dyadic, Kernel, Side};
 use delone_probe::{Event, Probe};
@@ -56,12 +56,54 @@ pub(crate) struct Piece {
 }
 
 /// A vertex that was added.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Steiner {
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Steiner<'a> {
     /// On a segment, at this parameter.
-    On { segment: u32, t: Dyadic },
+    On { segment: u32, t: &'a Dyadic },
     /// Between segments.
     Free,
+}
+
+/// The Steiner points. Most are free, and take no more than a number.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct SteinerPoints {
+    /// By Steiner point: its place in `on`, or `NONE`.
+    places: Vec<u32>,
+    on: Vec<(u32, Dyadic)>,
+}
+
+impl SteinerPoints {
+    pub(crate) fn len(&self) -> usize {
+        self.places.len()
+    }
+
+    pub(crate) fn push_free(&mut self) {
+        self.places.push(NONE);
+    }
+
+    pub(crate) fn push_on(&mut self, segment: u32, t: Dyadic) {
+        self.places.push(piece_id(self.on.len()));
+        self.on.push((segment, t));
+    }
+
+    pub(crate) fn get(&self, index: usize) -> Option<Steiner<'_>> {
+        let &place = self.places.get(index)?;
+        let on = self.on.get(place as usize);
+        Some(on.map_or(Steiner::Free, |&(segment, ref t)| Steiner::On { segment, t }))
+    }
+
+    pub(crate) fn iter(&self) -> impl Iterator<Item = Steiner<'_>> {
+        (0..self.len()).filter_map(|index| self.get(index))
+    }
+
+    /// Forgets free ones that do not stay, asked by index. Those on segments stay.
+    pub(crate) fn retain(&mut self, stays: impl Fn(usize) -> bool) {
+        let mut index = 0;
+        self.places.retain(|_| {
+            index += 1;
+            stays(index - 1)
+        });
+    }
 }
 
 /// See the module's text.
@@ -74,7 +116,7 @@ pub(crate) struct Live {
     named: Vec<[u32; 2]>,
     /// The number of sites; other vertices are Steiner points.
     pub(crate) sites: usize,
-    pub(crate) steiner: Vec<Steiner>,
+    pub(crate) steiner: SteinerPoints,
     pub(crate) pieces: Vec<Piece>,
     /// By half-edge.
     piece_at: Vec<PieceId>,
@@ -99,11 +141,7 @@ impl Live {
         let segments: Vec<[u32; 2]> = graph.subsegments().iter().map(forwards).collect();
         let mut halves = vec![None; segments.len()];
         let mut piece_at = vec![NONE; 3 * mesh.cell_count()];
-        for h in mesh.cells().flat_map(|cell| mesh.facets(cell)).filter(|&h| cdt.is_constrained(h))
-        {
-            let [a, b] = [mesh.origin(h), mesh.destination(h)].map(id);
-            let place = graph.subsegments().binary_search(&[a.min(b), a.max(b)]);
-            let place = place.expect("a constrained edge is a subsegment of its graph");
+        for (h, place) in constrained_half_edges(cdt, graph) {
             halves[place] = Some(h);
             piece_at[h.index()] = piece_id(place);
         }
@@ -121,7 +159,7 @@ impl Live {
             segments,
             named: graph.subsegments().to_vec(),
             sites,
-            steiner: Vec::new(),
+            steiner: SteinerPoints::default(),
             pieces,
             piece_at,
             region_at,
@@ -156,7 +194,7 @@ impl Live {
     }
 
     /// The Steiner point that a vertex is, if it is one.
-    pub(crate) fn steiner_of(&self, v: VertexId) -> Option<&Steiner> {
+    pub(crate) fn steiner_of(&self, v: VertexId) -> Option<Steiner<'_>> {
         let place = v.index().checked_sub(self.sites)?;
         self.steiner.get(place) // the ghost is none
     }
@@ -200,7 +238,7 @@ impl Live {
         let construction = Construction::SegmentPoint { a: from, b: to, t: t.clone() };
         let p = self.kernel.push(&construction).expect("the ends of a segment are sites");
         let p = VertexId::new(p as usize);
-        self.steiner.push(Steiner::On { segment, t });
+        self.steiner.push_on(segment, t);
         let h = self.half_edge(piece);
         let second = piece_id(self.pieces.len());
         self.pieces[piece as usize].ends[1] = p;

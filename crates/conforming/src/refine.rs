@@ -15,7 +15,7 @@
 //! keep the bounds, but for those left alone, which are listed with the reason.
 //! **Invariants.** 1. The mesh is the CDT after each point. 2. A triangle inside that does not keep the bounds is queued, or
 //! listed. 3. Bounds on angles are decided exactly: doubles first, with their errors; then dyadic numbers.
-//! **Cost.** O(1) for each cell that changes, a short walk, a heap.
+//! **Cost.** O(1) for each cell that changes, a short walk. Triangles wait in lists by urgency: nothing is sorted or compared.
 //! **Limits.** Up to 20.7 degrees this is proven to end, up to 26.4 without segments at less than 60 degrees; beyond, it usually
 //! does up to 33: give a limit on vertices.
 //!
@@ -26,6 +26,7 @@
 //! | a centre on a free edge | both triangles are split | `a_square_is_refined` |
 //! | a centre on a segment | the segment is split, exactly | `a_square_is_refined` |
 //! | a point on an edge of the hull that is no piece | the edge is cut; the point is never taken out | `a_point_on_a_bare_hull_stays` |
+//! | a gap narrower than doubles can tell | exact numbers say what encroaches | `a_gap_far_below_the_doubles_ends` |
 //! | all sites in line, or nothing inside | nothing to refine | `nothing_inside_is_nothing_to_do` |
 
 mod centre;
@@ -35,7 +36,7 @@ mod result;
 
 use std::collections::VecDeque;
 
-use delone_cdt::{Domain, Fill, FillError, cavity};
+use delone_cdt::{Fill, FillError, Inside, cavity};
 use delone_delaunay::Options;
 use delone_mesh::{CellId, VertexId};
 use delone_probe::{Event, Probe};
@@ -102,6 +103,14 @@ impl Default for RefineOptions<'_> {
     }
 }
 
+impl RefineOptions<'_> {
+    /// The bound on angles that is kept, exactly: the square of its cosine, the double that the degrees come to.
+    #[must_use]
+    pub fn cosine_square(&self) -> f64 {
+        self.angle_deg_min.clamp(0.0, 60.0).to_radians().cos().powi(2)
+    }
+}
+
 impl std::fmt::Debug for RefineOptions<'_> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("RefineOptions")
@@ -130,7 +139,7 @@ impl std::fmt::Debug for RefineOptions<'_> {
 /// ```
 ///
 /// # Errors
-/// If the rule for what is inside does not apply: see [`Domain::new`].
+/// If the rule for what is inside does not apply: see [`Inside::new`].
 pub fn refine(
     pslg: &Pslg,
     fill: &Fill,
@@ -138,18 +147,17 @@ pub fn refine(
     probe: &mut impl Probe,
 ) -> Result<Refined, FillError> {
     let cdt = cavity(pslg, &Options::default(), probe);
-    let domain = Domain::new(&cdt, pslg, fill)?;
+    let inside = Inside::new(&cdt, pslg, fill)?;
     if cdt.mesh().dimension() != Some(2) {
         return Ok(Refined::chain(&cdt, pslg));
     }
     let mut live = Live::new(&cdt, pslg);
     for cell in cdt.mesh().cells() {
-        live.region_at[cell.index()] = domain.regions().of_cell(cell);
+        live.region_at[cell.index()] = inside.regions().of_cell(cell);
     }
-    let regions = (0u32..).take(domain.regions().count());
-    let inside: Vec<bool> = regions.map(|region| domain.is_inside(region)).collect();
+    let inside = inside.by_region().to_vec();
     let apexes = Apexes::new(&cdt, &live.kernel, live.sites);
-    let quality = Quality::new(options);
+    let quality = Quality::new(options, farthest(pslg.sites().points()));
     let mut work = Work {
         live,
         apexes,
@@ -160,7 +168,7 @@ pub fn refine(
         triangles: Queue::default(),
         region: Region::default(),
         left_alone: Vec::new(),
-        removed: 0,
+        removed: Vec::new(),
     };
     let is_complete = work.run(probe);
     Ok(work.finish(is_complete))
@@ -177,8 +185,10 @@ struct Work<'a> {
     pieces: VecDeque<(PieceId, Option<[VertexId; 2]>)>,
     triangles: Queue,
     region: Region,
-    left_alone: Vec<([VertexId; 3], Reason)>,
-    removed: usize,
+    /// Those that were there when they were listed.
+    left_alone: Vec<(CellId, [VertexId; 3], Reason)>,
+    /// Free vertices that were taken out.
+    removed: Vec<VertexId>,
 }
 
 impl Work<'_> {
@@ -225,15 +235,11 @@ impl Work<'_> {
             return;
         }
         let corners = corners(&self.live, cell);
-        let (flaw, urgency) = self.quality.flaw(&self.live, corners);
-        if flaw == Flaw::None {
-            return;
-        }
+        let Some((flaw, urgency)) = self.quality.flaw(&self.live, corners) else { return };
         if flaw == Flaw::Skinny
             && self.quality.subtends_input_angle(&self.live, &self.apexes, corners)
         {
-            self.left_alone.push((corners, Reason::InputAngle));
-            return;
+            return self.left_alone.push((cell, corners, Reason::InputAngle));
         }
         self.triangles.push(urgency, cell, corners);
     }
@@ -276,7 +282,7 @@ impl Work<'_> {
                 let h = self.live.half_edge(piece);
                 let h = if side { self.live.mesh.twin(h) } else { h };
                 let v = self.live.mesh.apex(h);
-                let is_free = self.live.steiner_of(v) == Some(&Steiner::Free);
+                let is_free = self.live.steiner_of(v) == Some(Steiner::Free);
                 if !is_free
                     || !crate::split::encroaches(&self.live, piece, v)
                     || self.is_on_hull(v, h.cell())
@@ -284,7 +290,7 @@ impl Work<'_> {
                     break;
                 }
                 self.live.remove_free(v, h.cell(), probe);
-                self.removed += 1;
+                self.removed.push(v);
                 for place in 0..self.live.made.len() {
                     let cell = self.live.made[place];
                     self.test(cell);
@@ -326,7 +332,7 @@ impl Work<'_> {
     /// Puts a vertex at the centre of a triangle, or splits what is in the way.
     fn destroy(&mut self, cell: CellId, corners: [VertexId; 3], probe: &mut impl Probe) {
         let Some(centre) = self.quality.centre(&self.live, corners) else {
-            return self.left_alone.push((corners, Reason::Unreachable));
+            return self.left_alone.push((cell, corners, Reason::Unreachable));
         };
         let p = self.live.kernel.push_plain(centre);
         let p = VertexId::new(p as usize);
@@ -335,7 +341,7 @@ impl Work<'_> {
         match place {
             None | Some(Place::Taken) => {
                 self.live.kernel.pop();
-                return self.left_alone.push((corners, Reason::Unreachable));
+                return self.left_alone.push((cell, corners, Reason::Unreachable));
             }
             Some(Place::Behind(piece)) => self.region.pieces.push(piece),
             Some(place) => {
@@ -344,7 +350,7 @@ impl Work<'_> {
                 pieces.retain(|&piece| self.encroaches(piece, p));
                 self.region.pieces = pieces;
                 if self.region.pieces.is_empty() {
-                    let cell = self.live.insert_free(place, p, probe);
+                    let cell = self.live.insert_free(place, p, &mut self.region, probe);
                     return self.look_around(p, cell);
                 }
             }
@@ -353,9 +359,15 @@ impl Work<'_> {
         for &piece in &self.region.pieces {
             self.pieces.push_back((piece, Some(self.live.pieces[piece as usize].ends)));
         }
-        let (_, urgency) = self.quality.flaw(&self.live, corners);
-        self.triangles.push(urgency, cell, corners);
+        if let Some((_, urgency)) = self.quality.flaw(&self.live, corners) {
+            self.triangles.push(urgency, cell, corners);
+        }
     }
+}
+
+/// The largest magnitude of a coordinate.
+fn farthest(points: &[[f64; 2]]) -> f64 {
+    points.as_flattened().iter().fold(0.0, |m: f64, x| m.max(x.abs()))
 }
 
 fn corners(live: &Live, cell: CellId) -> [VertexId; 3] {

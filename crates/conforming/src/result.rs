@@ -39,10 +39,10 @@ pub struct Conforming {
 
 impl Conforming {
     pub(crate) fn new(live: Live, is_complete: bool) -> Self {
-        let on = |steiner: &Steiner| match steiner {
+        let on = |steiner: Steiner<'_>| match steiner {
             Steiner::On { segment, t } => {
-                let ends = live.segments[*segment as usize];
-                SteinerPoint::On { subsegment: *segment, ends, t: t.clone() }
+                let ends = live.segments[segment as usize];
+                SteinerPoint::On { subsegment: segment, ends, t: t.clone() }
             }
             Steiner::Free => SteinerPoint::Free,
         };

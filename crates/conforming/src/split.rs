@@ -115,7 +115,7 @@ pub(crate) fn squared_radius(
     v: VertexId,
 ) -> Option<Dyadic> {
     match live.steiner_of(v) {
-        Some(&Steiner::On { segment: other, ref t }) => {
+        Some(Steiner::On { segment: other, t }) => {
             let [a, b] = live.segments[other as usize];
             if other == segment || (id(z) != a && id(z) != b) {
                 return None;

@@ -1,12 +1,12 @@
 //! What the tests of this crate have in common.
 
 use delone_check::{
-    Complex, Conformed, Options, Promise, SteinerPoint, Verdict, judge_conforming,
-    judge_constrained,
+    Angles, Complex, Conformed, Options, Promise, SteinerPoint, Verdict, judge_conforming,
+    judge_constrained, judge_refined,
 };
 use delone_sites::Pslg;
 
-use crate::{Conforming, SteinerPoint as Added};
+use crate::{Conforming, Refined, SteinerPoint as Added};
 
 pub(crate) fn pslg(points: &[[f64; 2]], segments: &[[usize; 2]]) -> Pslg {
     Pslg::new(points, segments).unwrap_or_else(|error| panic!("{error}"))
@@ -14,6 +14,24 @@ pub(crate) fn pslg(points: &[[f64; 2]], segments: &[[usize; 2]]) -> Pslg {
 
 /// What the judge says.
 pub(crate) fn judged(pslg: &Pslg, conforming: &Conforming, promise: Promise) -> Verdict {
+    with_conformed(pslg, conforming, promise, judge_conforming)
+}
+
+/// What the judge says of a refined triangulation that is complete.
+pub(crate) fn judged_with_angles(pslg: &Pslg, refined: &Refined, cosine_square: f64) -> Verdict {
+    let (inside, exceptions) = refined.sides();
+    let angles = Angles { cosine_square, inside: &inside, exceptions: &exceptions };
+    let judge =
+        |conformed: &Conformed<'_>, options: &Options| judge_refined(conformed, &angles, options);
+    with_conformed(pslg, refined.triangulation(), Promise::Constrained, judge)
+}
+
+fn with_conformed(
+    pslg: &Pslg,
+    conforming: &Conforming,
+    promise: Promise,
+    judge: impl FnOnce(&Conformed<'_>, &Options) -> Verdict,
+) -> Verdict {
     let mesh = conforming.mesh();
     let cells: Vec<u32> = mesh
         .solid_cells()
@@ -42,5 +60,5 @@ pub(crate) fn judged(pslg: &Pslg, conforming: &Conforming, promise: Promise) -> 
         constrained: conforming.constrained_edges(),
         promise,
     };
-    judge_conforming(&conformed, &Options::default())
+    judge(&conformed, &Options::default())
 }

@@ -13,7 +13,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
-pub(crate) use steiner::{Conform, Refine, Refinement};
+pub(crate) use steiner::{Adding, Conform, Crossings as Rounding, Refine, Refinement};
 
 pub(crate) use bench::{Bench, BenchAction, Engine};
 pub(crate) use fuzz::{Fuzz, Program, Shrink};

@@ -1,5 +1,6 @@
 //! One file for each command.
 
+mod adding;
 mod alpha;
 mod bench;
 mod check;

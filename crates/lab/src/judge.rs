@@ -2,8 +2,9 @@
 
 use delone_cdt::Cdt;
 use delone_check::{
-    Arranged, Complex, Conformed, Links, Options, Promise, SteinerPoint, Verdict, judge_arranged,
-    judge_conforming, judge_constrained, judge_delaunay, judge_links, judge_regular,
+    Angles, Arranged, Complex, Conformed, Links, Options, Promise, SteinerPoint, Verdict,
+    judge_arranged, judge_conforming, judge_constrained, judge_delaunay, judge_links,
+    judge_refined, judge_regular,
 };
 use delone_conforming::{Conforming, SteinerPoint as Added};
 use delone_delaunay::{Delaunay, Regular};
@@ -73,6 +74,22 @@ pub(crate) fn arranged(graph: &Arrangement, result: &Cdt) -> Verdict {
 
 /// Judges a triangulation with Steiner points, these being exact.
 pub(crate) fn conforming(pslg: &Pslg, result: &Conforming, promise: Promise) -> Verdict {
+    with_conformed(pslg, result, promise, judge_conforming)
+}
+
+/// Judges a refined triangulation of dimension 2, and its angles.
+pub(crate) fn refined(pslg: &Pslg, result: &Conforming, angles: &Angles<'_>) -> Verdict {
+    with_conformed(pslg, result, Promise::Constrained, |conformed, options| {
+        judge_refined(conformed, angles, options)
+    })
+}
+
+fn with_conformed(
+    pslg: &Pslg,
+    result: &Conforming,
+    promise: Promise,
+    judge: impl FnOnce(&Conformed<'_>, &Options) -> Verdict,
+) -> Verdict {
     let mesh = result.mesh();
     let cells = solid_ids(mesh);
     let (points, flags) = (pslg.sites().points(), result.constrained_edges());
@@ -97,7 +114,7 @@ pub(crate) fn conforming(pslg: &Pslg, result: &Conforming, promise: Promise) -> 
         constrained: flags,
         promise,
     };
-    joined(links(mesh), judge_conforming(&conformed, &Options::default()))
+    joined(links(mesh), judge(&conformed, &Options::default()))
 }
 
 /// Judges a mesh with each vertex at the nearest doubles: whether rounding keeps it a triangulation of the hull with all

@@ -8,7 +8,7 @@ use crate::engine::Sizes;
 use crate::subject::{Body, Subject};
 
 /// Seconds by phase, in the order in which they passed.
-#[derive(Default)]
+#[derive(Clone, Copy, Default)]
 pub(crate) struct Seconds {
     pub(crate) read: f64,
     pub(crate) build: f64,

@@ -1,6 +1,6 @@
 //! Results with Steiner points: as documents, in keys, and what the judge says of them.
 
-use delone_check::{Promise, Verdict};
+use delone_check::{Angles, Promise, Verdict};
 use delone_conforming::{Conforming, Refined, SteinerPoint};
 use delone_formats::Document;
 use delone_sites::{Noded, Pslg};
@@ -36,6 +36,17 @@ impl Result<'_> {
     pub(crate) fn verdict(&self, promise: Promise) -> Verdict {
         let promise = if self.conforming.is_complete() { promise } else { Promise::Constrained };
         judge::conforming(self.pslg, self.conforming, promise)
+    }
+
+    /// That it is constrained Delaunay; and if nothing stopped it, that angles inside are at least the promised one but where small
+    /// input angles are.
+    pub(crate) fn verdict_on_angles(&self, refined: &Refined, cosine_square: f64) -> Verdict {
+        if !self.conforming.is_complete() || self.conforming.mesh().dimension() != Some(2) {
+            return self.verdict(Promise::Constrained);
+        }
+        let (inside, exceptions) = refined.sides();
+        let angles = Angles { cosine_square, inside: &inside, exceptions: &exceptions };
+        judge::refined(self.pslg, self.conforming, &angles)
     }
 
     /// How many points there are, and what becomes of them in doubles.

@@ -246,6 +246,17 @@ impl<const D: usize> Mesh<D> {
         cell
     }
 
+    /// Gives a cell other corners, in the same slot. Its twins stay until they are glued.
+    ///
+    /// # Panics
+    /// If the number of corners is not the mesh's.
+    #[inline]
+    pub fn set_corners(&mut self, cell: CellId, corners: &[VertexId]) {
+        assert_eq!(corners.len(), self.corner_count(), "a cell has as many corners as its mesh");
+        let first = cell.index() * (D + 1);
+        self.vertices[first..first + corners.len()].copy_from_slice(corners);
+    }
+
     /// A slot for a cell, which still holds what it held.
     #[inline]
     pub(crate) fn claim_cell(&mut self) -> CellId {

@@ -390,9 +390,9 @@ impl<const D: usize> Kernel<D> for Constructed<D> {
 impl<const D: usize> Constructed<D> {
     /// The filter by the call's own differences, in the plane.
     #[inline]
-    fn orient_locally<V: Id>(&self, simplex: &[V]) -> Option<(Sign, Stage)> {
+    fn orient_locally<V: Id>(&self, simplex: &[V], value: f64) -> Option<(Sign, Stage)> {
         let sign = match *simplex {
-            [a, b, c] if D == 2 => local::orient2d(at(&self.positions, [a, b, c])),
+            [a, b, c] if D == 2 => local::orient2d(at(&self.positions, [a, b, c]), value),
             _ => None,
         };
         sign.map(|sign| (sign, Stage::DynamicFilter))
@@ -400,9 +400,9 @@ impl<const D: usize> Constructed<D> {
 
     /// The same.
     #[inline]
-    fn lifted_locally<V: Id>(&self, simplex: &[V], q: V) -> Option<(Sign, Stage)> {
+    fn lifted_locally<V: Id>(&self, simplex: &[V], q: V, value: f64) -> Option<(Sign, Stage)> {
         let sign = match *simplex {
-            [a, b, c] if D == 2 => local::in_circle(at(&self.positions, [a, b, c, q])),
+            [a, b, c] if D == 2 => local::in_circle(at(&self.positions, [a, b, c, q]), value),
             _ => None,
         };
         sign.map(|sign| (sign, Stage::DynamicFilter))
@@ -414,37 +414,61 @@ impl<const D: usize> Constructed<D> {
         if D == 2 { local::dot(at(&self.positions, vertices)) } else { None }
     }
 
-    #[inline]
-    fn orient_mixed<V: Id>(&self, simplex: &[V]) -> (Sign, Stage) {
-        if self.all_exact(simplex.iter().copied()) {
-            return self.nearest().orient_staged(simplex);
-        }
-        let value = match *simplex {
+    /// The orientation in nearest doubles; 0 in dimensions without a filter.
+    #[inline(always)]
+    fn orient_value<V: Id>(&self, simplex: &[V]) -> f64 {
+        match *simplex {
             [a, b, c] if D == 2 => {
                 let [a, b, c] = at(&self.positions, [a, b, c]);
                 value::orient2d(a, b, c)
             }
             [a, b, c, d] if D == 3 => value::orient3d(at(&self.positions, [a, b, c, d])),
             _ => 0.0,
-        };
+        }
+    }
+
+    /// The same of the lifted determinant.
+    #[inline(always)]
+    fn lifted_value<V: Id>(&self, simplex: &[V], q: V) -> f64 {
+        match *simplex {
+            [a, b, c] if D == 2 => value::in_circle(at(&self.positions, [a, b, c, q])),
+            [a, b, c, d] if D == 3 => value::in_sphere(at(&self.positions, [a, b, c, d, q])),
+            _ => 0.0,
+        }
+    }
+
+    // The filters hold for exact vertices too: whether all are is asked only where these do not decide, so that most calls look at
+    // positions and at nothing else.
+    #[inline]
+    fn orient_mixed<V: Id>(&self, simplex: &[V]) -> (Sign, Stage) {
+        let value = self.orient_value(simplex);
         Self::by_static_filter(value, self.wide.orient)
-            .or_else(|| self.orient_locally(simplex))
-            .unwrap_or_else(|| self.orient_by_ring(&all_axes::<D>(), simplex))
+            .or_else(|| self.orient_locally(simplex, value))
+            .unwrap_or_else(|| self.orient_unfiltered(simplex))
     }
 
     #[inline]
     fn lifted_mixed<V: Id>(&self, simplex: &[V], q: V) -> (Sign, Stage) {
+        let value = self.lifted_value(simplex, q);
+        Self::by_static_filter(value, self.wide.lifted)
+            .or_else(|| self.lifted_locally(simplex, q, value))
+            .unwrap_or_else(|| self.lifted_unfiltered(simplex, q))
+    }
+
+    #[inline(never)]
+    fn orient_unfiltered<V: Id>(&self, simplex: &[V]) -> (Sign, Stage) {
+        if self.all_exact(simplex.iter().copied()) {
+            return self.nearest().orient_staged(simplex);
+        }
+        self.orient_by_ring(&all_axes::<D>(), simplex)
+    }
+
+    #[inline(never)]
+    fn lifted_unfiltered<V: Id>(&self, simplex: &[V], q: V) -> (Sign, Stage) {
         if self.all_exact(simplex.iter().copied().chain([q])) {
             return self.nearest().lifted_staged(simplex, q);
         }
-        let value = match *simplex {
-            [a, b, c] if D == 2 => value::in_circle(at(&self.positions, [a, b, c, q])),
-            [a, b, c, d] if D == 3 => value::in_sphere(at(&self.positions, [a, b, c, d, q])),
-            _ => 0.0,
-        };
-        Self::by_static_filter(value, self.wide.lifted)
-            .or_else(|| self.lifted_locally(simplex, q))
-            .unwrap_or_else(|| self.lifted_by_ring(&all_axes::<D>(), simplex, q))
+        self.lifted_by_ring(&all_axes::<D>(), simplex, q)
     }
 }
 

@@ -4,13 +4,17 @@
 //! |---|---|
 //! | `workloads` | the corpus: workloads, inputs by hand, regressions |
 //! | `files` | the collected files |
+//! | `refined` | the same, refined |
 
 mod files;
+mod refined;
 mod workloads;
 
 use delone::Pslg;
-use delone::check::{Conformed, Options, Promise, SteinerPoint, Verdict, judge_conforming};
-use delone::conforming::{Conforming, Method, SteinerPoint as Added};
+use delone::check::{
+    Angles, Conformed, Options, Promise, SteinerPoint, Verdict, judge_conforming, judge_refined,
+};
+use delone::conforming::{Conforming, Method, Refined, SteinerPoint as Added};
 use delone_tests::id;
 
 /// What a method promises.
@@ -20,6 +24,24 @@ fn promise(method: &Method) -> Promise {
 
 /// What the judge says.
 fn judged(pslg: &Pslg, conforming: &Conforming, promise: Promise) -> Verdict {
+    with_conformed(pslg, conforming, promise, judge_conforming)
+}
+
+/// What the judge says of a refined triangulation that is complete, and of its angles.
+fn judged_with_angles(pslg: &Pslg, refined: &Refined, cosine_square: f64) -> Verdict {
+    let (inside, exceptions) = refined.sides();
+    let angles = Angles { cosine_square, inside: &inside, exceptions: &exceptions };
+    with_conformed(pslg, refined.triangulation(), Promise::Constrained, |conformed, options| {
+        judge_refined(conformed, &angles, options)
+    })
+}
+
+fn with_conformed(
+    pslg: &Pslg,
+    conforming: &Conforming,
+    promise: Promise,
+    judge: impl FnOnce(&Conformed<'_>, &Options) -> Verdict,
+) -> Verdict {
     let mesh = conforming.mesh();
     let corners = mesh.solid_cells().flat_map(|cell| mesh.corners(cell));
     let cells: Vec<u32> = corners.map(|v| id(v.index())).collect();
@@ -39,5 +61,5 @@ fn judged(pslg: &Pslg, conforming: &Conforming, promise: Promise) -> Verdict {
         constrained: conforming.constrained_edges(),
         promise,
     };
-    judge_conforming(&conformed, &Options::default())
+    judge(&conformed, &Options::default())
 }

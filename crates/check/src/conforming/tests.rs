@@ -122,3 +122,57 @@ fn long_parameters_are_exact() {
     let moved = judge(1);
     assert!(moved.has("unused-point"), "point 4 is another vertex now\n{moved}");
 }
+
+/// A right triangle with the angles of 45 degrees at 0 and 2, as a refined triangulation; whether it is accepted.
+fn refined(segments: &[[u32; 2]], cosine_square: f64, exceptions: &[usize]) -> Verdict {
+    let conformed = Conformed {
+        points: &[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]],
+        steiner: &[],
+        cells: &[0, 1, 2],
+        segments,
+        constrained: segments,
+        promise: Promise::Constrained,
+    };
+    let angles = Angles { cosine_square, inside: &[true], exceptions };
+    judge_refined(&conformed, &angles, &Options::default())
+}
+
+#[test]
+fn the_least_angle_is_decided_exactly() {
+    assert!(refined(&[], 0.5, &[]).ok, "45 degrees were asked for");
+    assert!(refined(&[], 0.5f64.next_up(), &[]).ok, "less");
+    assert!(refined(&[], 0.5f64.next_down(), &[]).has("small-angle"), "a little more");
+    assert!(refined(&[], 0.0, &[]).has("small-angle"), "90");
+    assert!(refined(&[], 2.0, &[]).ok, "nothing");
+}
+
+#[test]
+fn exceptions_touch_small_input_angles() {
+    let sharp = [[0, 1], [0, 2]];
+    assert!(refined(&sharp, 0.3, &[0]).ok, "45 degrees between segments");
+    assert!(refined(&sharp, 0.3, &[]).has("small-angle"), "it is not named");
+    assert!(refined(&[[0, 1], [1, 2]], 0.3, &[0]).has("no-exception"), "90 degrees");
+    assert!(refined(&[[0, 1]], 0.3, &[0]).has("no-exception"), "one segment");
+    assert!(refined(&sharp, 0.3, &[1]).has("bad-length"), "there is no such cell");
+}
+
+/// Two segments from 0 with Steiner points in their middles: the cell between these is at the small angle, by their labels.
+#[test]
+fn exceptions_are_found_beyond_the_first_shell() {
+    let middle = |end| SteinerPoint::On { ends: [0, end], mantissa: &[1], exponent: -1 };
+    let judged = |second: SteinerPoint<'_>| {
+        let conformed = Conformed {
+            points: &[[0.0, 0.0], [8.0, 0.0], [8.0, 6.0]],
+            steiner: &[middle(1), second],
+            cells: &[0, 3, 4, 3, 1, 4, 4, 1, 2],
+            segments: &[[0, 1], [0, 2]],
+            constrained: &[[0, 3], [1, 3], [0, 4], [2, 4]],
+            promise: Promise::Constrained,
+        };
+        let angles = Angles { cosine_square: 0.01, inside: &[true; 3], exceptions: &[0, 1, 2] };
+        judge_refined(&conformed, &angles, &Options::default())
+    };
+    assert!(judged(middle(2)).ok, "{}", judged(middle(2)));
+    // A free point tells of no segment, and leaves one cell with the ends of the other alone.
+    assert!(judged(SteinerPoint::At([4.0, 3.0])).has("no-exception"));
+}

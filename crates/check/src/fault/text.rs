@@ -54,6 +54,8 @@ impl Display for Fault {
             | Self::FillLeaks { .. }
             | Self::OffSegment { .. }
             | Self::EncroachedEdge { .. }
+            | Self::SmallAngle { .. }
+            | Self::NoException { .. }
             | Self::WrongSide { .. } => fmt_constraints(self, f),
             _ => fmt_geometry(self, f),
         }
@@ -191,6 +193,14 @@ fn fmt_constraints(fault: &Fault, f: &mut Formatter<'_>) -> Result {
         Fault::EncroachedEdge { edge, by } => {
             write!(f, "{by} is in the closed diametral disk of the subsegment {}", List(edge))
         }
+        Fault::SmallAngle { cell, at } => {
+            write!(f, "the angle at {at} in {} is less than the least", List(cell))
+        }
+        Fault::NoException { cell } => write!(
+            f,
+            "{} is an exception, and touches no two segments that meet at less than 60 degrees",
+            List(cell)
+        ),
         Fault::FlagNotEdge { ends: [a, b] } => {
             write!(f, "{a} {b} is flagged as constrained and is not an edge")
         }

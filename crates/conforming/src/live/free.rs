@@ -8,14 +8,15 @@
 //!      e---a             e-a-'
 //! ```
 //!
-//! **Paper.** Removal is \[DT03\]'s: the Delaunay triangulation of the neighbours of v alone fills its star, by some ear of it after another.
+//! **Paper.** A point inside a triangle is put in as by \[Bow81\]: all that is in conflict with it, as far as it sees, is replaced by its star. On an
+//! edge, by \[Law77\]'s flips. Removal is \[DT03\]'s: the Delaunay triangulation of the neighbours of v alone fills its star, by some ear of it after another.
 //! **Cost.** A walk; O(1) for each cell in conflict; O(k^2) for a vertex of degree k that goes.
 
 use delone_mesh::{CellId, HalfEdge, VertexId};
 use delone_predicates::{Kernel, Side, Sign};
 use delone_probe::{Event, Probe};
 
-use super::{Live, NONE, PieceId, Steiner};
+use super::{Live, NONE, PieceId};
 
 /// Where a point is, seen from a triangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,10 +35,45 @@ pub(crate) enum Place {
 #[derive(Debug, Default)]
 pub(crate) struct Region {
     pub(crate) pieces: Vec<PieceId>,
-    open: Vec<CellId>,
+    /// The triangles, in the order in which they were found.
+    cells: Vec<CellId>,
+    /// The half-edges between them and the rest, seen from inside.
+    rim: Vec<HalfEdge>,
     /// By cell: the number of the last search that met it.
     met: Vec<u32>,
     search: u32,
+    /// The rim while the region is replaced.
+    outside: Vec<Outside>,
+    /// By vertex of the rim: the new cell on the side that starts there.
+    cell_from: Vec<Option<CellId>>,
+}
+
+/// A side of the rim from one vertex to the next, what is beyond, and the new cell inside.
+#[derive(Clone, Copy, Debug)]
+struct Outside {
+    ends: [VertexId; 2],
+    twin: HalfEdge,
+    piece: PieceId,
+    cell: CellId,
+}
+
+impl Region {
+    fn begin(&mut self, cells: usize) {
+        self.pieces.clear();
+        self.cells.clear();
+        self.rim.clear();
+        self.met.resize(cells, 0);
+        self.search += 1;
+    }
+
+    fn take(&mut self, cell: CellId) {
+        self.met[cell.index()] = self.search;
+        self.cells.push(cell);
+    }
+
+    fn holds(&self, cell: CellId) -> bool {
+        self.met[cell.index()] == self.search
+    }
 }
 
 impl Live {
@@ -99,79 +135,107 @@ impl Live {
         region: &mut Region,
         probe: &mut impl Probe,
     ) {
-        region.pieces.clear();
-        region.met.resize(self.mesh.cell_count(), 0);
-        region.search += 1;
-        let seed = match place {
-            Place::Inside(cell) => cell,
-            Place::On(h) => h.cell(),
+        region.begin(self.mesh.cell_count());
+        match place {
+            Place::Inside(cell) => region.take(cell),
+            Place::On(h) => region.take(h.cell()),
             Place::Taken | Place::Behind(_) => return,
-        };
-        region.met[seed.index()] = region.search;
-        region.open.push(seed);
-        while let Some(cell) = region.open.pop() {
+        }
+        let mut explored = 0;
+        while let Some(&cell) = region.cells.get(explored) {
+            explored += 1;
             for h in self.mesh.facets(cell) {
                 if let Some(piece) = self.piece_of(h) {
                     region.pieces.push(piece);
+                    region.rim.push(h);
                     continue;
                 }
                 let beyond = self.mesh.twin(h).cell();
-                if region.met[beyond.index()] == region.search || self.mesh.is_ghost(beyond) {
+                if region.holds(beyond) {
                     continue;
                 }
-                region.met[beyond.index()] = region.search;
-                probe.on(Event::InSphere);
-                if self.kernel.in_sphere(self.mesh.corners(beyond), p) == Side::Positive {
-                    region.open.push(beyond);
+                if self.is_in_conflict(beyond, p, probe) {
+                    region.take(beyond);
+                } else {
+                    region.rim.push(h);
                 }
             }
         }
     }
 
-    /// Makes the last vertex of the kernel a vertex of the mesh, at a place inside a triangle or an edge; a cell that has it.
+    /// Whether a cell, which is no ghost, has a point in its circumcircle.
+    fn is_in_conflict(&self, cell: CellId, p: VertexId, probe: &mut impl Probe) -> bool {
+        if self.mesh.is_ghost(cell) {
+            return false;
+        }
+        probe.on(Event::InSphere);
+        self.kernel.in_sphere(self.mesh.corners(cell), p) == Side::Positive
+    }
+
+    /// Makes the last vertex of the kernel a vertex of the mesh, at a place inside a triangle or an edge of which `region` is what
+    /// [`Live::search`] found; a cell that has it.
     pub(crate) fn insert_free(
         &mut self,
         place: Place,
         p: VertexId,
+        region: &mut Region,
         probe: &mut impl Probe,
     ) -> CellId {
-        self.steiner.push(Steiner::Free);
+        self.steiner.push_free();
         probe.on(Event::SteinerPoint);
-        let (a, b) = match place {
-            Place::Inside(cell) => {
-                self.split_triangle(cell, p);
-                (cell, None)
+        match place {
+            Place::Inside(_) => {
+                probe.on(Event::Cavity { cells: region.cells.len() });
+                self.star(region, p)
             }
             Place::On(h) => {
-                let cells = (h.cell(), Some(self.mesh.twin(h).cell()));
+                let (a, b) = (h.cell(), self.mesh.twin(h).cell());
                 self.split_edge(h, p, [NONE, NONE]);
-                cells
+                self.legalize(probe);
+                // Slots are used again at once, and flips about p leave them p.
+                if self.mesh.corners(a).contains(&p) { a } else { b }
             }
             Place::Taken | Place::Behind(_) => {
                 panic!("a free point is inside a triangle or an edge")
             }
-        };
-        // Slots are used again at once, and flips about p leave them p.
-        self.legalize(probe);
-        if self.mesh.corners(a).contains(&p) { a } else { b.unwrap_or(a) }
+        }
     }
 
-    /// Replaces a triangle by three about `p`.
-    fn split_triangle(&mut self, cell: CellId, p: VertexId) {
-        let mesh = &self.mesh;
-        let rim = [0, 1, 2].map(|corner| HalfEdge::new(cell, corner));
-        let outside = rim
-            .map(|h| (mesh.origin(h), mesh.destination(h), mesh.twin(h), self.piece_at[h.index()]));
-        let region = self.region_at[cell.index()];
-        self.retire(cell);
-        let around = outside.map(|(a, b, ..)| self.add([p, a, b], region));
-        for (place, (_, _, outside, piece)) in outside.into_iter().enumerate() {
-            let (cell, next) = (around[place], around[(place + 1) % 3]);
-            let inside = HalfEdge::new(cell, 0);
-            self.attach(inside, outside, piece);
-            self.stack.push(inside);
-            self.attach(HalfEdge::new(cell, 1), HalfEdge::new(next, 2), NONE);
+    /// Replaces a region by the triangles of `p` over its rim, and returns one of these.
+    ///
+    /// The region is star-shaped around `p`, strictly: each side of the rim has `p` on its left, so each vertex of the rim starts one side.
+    fn star(&mut self, region: &mut Region, p: VertexId) -> CellId {
+        region.outside.clear();
+        for &h in &region.rim {
+            let ends = [self.mesh.origin(h), self.mesh.destination(h)];
+            let (twin, piece) = (self.mesh.twin(h), self.piece_at[h.index()]);
+            region.outside.push(Outside { ends, twin, piece, cell: h.cell() });
         }
+        let number = self.region_at[region.cells[0].index()]; // no piece is between its cells: they are of one region
+        if region.cell_from.len() < p.index() {
+            region.cell_from.resize(self.kernel.len(), None);
+        }
+        // A disk of k triangles without a vertex inside has k + 2 sides.
+        assert_eq!(region.cells.len() + 2, region.outside.len(), "all vertices are on the rim");
+        for (place, side) in region.outside.iter_mut().enumerate() {
+            let [a, b] = side.ends;
+            let corners = [p, a, b];
+            side.cell = if let Some(&cell) = region.cells.get(place) {
+                self.mesh.set_corners(cell, &corners);
+                cell
+            } else {
+                self.add(corners, number)
+            };
+            self.attach(HalfEdge::new(side.cell, 0), side.twin, side.piece);
+            let before = region.cell_from[a.index()].replace(side.cell);
+            assert!(before.is_none(), "a vertex of the rim starts one side");
+        }
+        for side in &region.outside {
+            let next = region.cell_from[side.ends[1].index()].take();
+            let next = next.expect("the rim is closed");
+            self.attach(HalfEdge::new(side.cell, 1), HalfEdge::new(next, 2), NONE);
+        }
+        region.outside[0].cell
     }
 
     /// Takes a free Steiner point out, which `cell` has. The cells in its place are in `made`.

@@ -8,6 +8,7 @@ use delone_mesh::VertexId;
 use delone_predicates::{Dyadic, Sign};
 
 use super::centre::centre;
+use super::queue::Urgency;
 use super::{Centre, RefineOptions, SizeField};
 use crate::apexes::Apexes;
 use crate::live::{Live, Steiner, id};
@@ -19,10 +20,12 @@ const ROUNDING: f64 = 1e-14;
 /// Bits up to which radii are equal that are so but for the precision of parameters.
 const EQUAL_BITS: i64 = 40;
 
+/// More than the relative difference of radii that agree in so many bits.
+const NEARLY: f64 = 1e-11;
+
 /// What is wrong with a triangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Flaw {
-    None,
     Skinny,
     Large,
 }
@@ -37,12 +40,15 @@ pub(super) struct Quality<'a> {
     cotangent: f64,
     area_max: f64,
     size: Option<SizeField<'a>>,
+    /// By how much rounded positions put off products of edges, relative, and times the shortest edge.
+    rounding: f64,
 }
 
 impl<'a> Quality<'a> {
-    pub(super) fn new(options: &RefineOptions<'a>) -> Self {
+    /// For vertices of coordinates up to `far` in magnitude.
+    pub(super) fn new(options: &RefineOptions<'a>, far: f64) -> Self {
         let angle = options.angle_deg_min.clamp(0.0, 60.0).to_radians();
-        let cosine_square = angle.cos().powi(2);
+        let cosine_square = options.cosine_square();
         let double = (2.0 * cosine_square - 1.0).max(0.0);
         Self {
             centre: options.centre,
@@ -51,70 +57,74 @@ impl<'a> Quality<'a> {
             cotangent: 1.0 / (angle / 2.0).tan(),
             area_max: options.area_max,
             size: options.size,
+            rounding: 32.0 * f64::EPSILON * far,
         }
     }
 
-    /// What is wrong, and how urgent that is: less is more.
-    pub(super) fn flaw(&self, live: &Live, corners: [VertexId; 3]) -> (Flaw, u64) {
-        let [p, q, r] = from_shortest(live, corners);
-        let [a, b, c] = [p, q, r].map(|v| live.kernel.position(id(v)));
-        let (u, v) = (minus(a, c), minus(b, c));
-        let (uu, vv, uv) = (dot(u, u), dot(v, v), dot(u, v));
-        let shortest = dot(minus(b, a), minus(b, a));
-        let (left, right) = (uv * uv, self.cosine_square * uu * vv);
-        let is_rounded = [p, q, r].iter().any(|&v| !live.kernel.is_exact_position(id(v)));
-        let mut slack = ROUNDING;
-        if is_rounded {
-            let far = [a, b, c].as_flattened().iter().fold(0.0, |m: f64, x| m.max(x.abs()));
-            slack += 32.0 * f64::EPSILON * far / shortest.sqrt();
-        }
-        let is_clear = (left - right).abs() > slack * uu * vv && slack < 0.01 && right.is_normal();
-        let urgency = urgency(shortest, (uu * vv / (uv * uv) - 1.0).max(0.0));
-        let is_skinny = if is_clear {
-            left > right && uv > 0.0
+    /// What is wrong, if anything, and how urgent that is.
+    pub(super) fn flaw(&self, live: &Live, corners: [VertexId; 3]) -> Option<(Flaw, Urgency)> {
+        let at = corners.map(|v| live.kernel.position(id(v)));
+        let shape = Shape::new(at);
+        let flaw = if self.is_skinny(&shape, live, corners) {
+            Flaw::Skinny
+        } else if self.is_large(&shape, at) {
+            Flaw::Large
         } else {
-            // Which edge is shortest may be in doubt as well.
-            [[p, q, r], [q, r, p], [r, p, q]].into_iter().any(|at| self.is_skinny(at, live))
+            return None;
         };
-        if is_skinny {
-            return (Flaw::Skinny, urgency);
+        Some((flaw, Urgency::new(shape.shortest, shape.tangent_square())))
+    }
+
+    /// Whether the least angle is less than the bound.
+    fn is_skinny(&self, shape: &Shape, live: &Live, corners: [VertexId; 3]) -> bool {
+        let &Shape { uv, squares, .. } = shape;
+        let (left, right) = (uv * uv, self.cosine_square * squares);
+        let is_clear = |slack: f64| {
+            (left - right).abs() > slack * squares && slack < 0.01 && right.is_normal()
+        };
+        // As if they were rounded; only where that does not decide, whether they are.
+        let wide = ROUNDING + self.rounding / shape.shortest.sqrt();
+        let is_exact = || corners.iter().all(|&v| live.kernel.is_exact_position(id(v)));
+        if is_clear(wide) || is_exact() && is_clear(ROUNDING) {
+            return left > right && uv > 0.0;
         }
+        // Which edge is shortest may be in doubt as well.
+        let [p, q, r] = corners;
+        [[p, q, r], [q, r, p], [r, p, q]].into_iter().any(|at| self.is_less(at, live))
+    }
+
+    fn is_large(&self, shape: &Shape, at: [[f64; 2]; 3]) -> bool {
+        let Shape { u, v, .. } = shape;
         let area = 0.5 * (u[0] * v[1] - u[1] * v[0]).abs();
-        if area > self.area_max {
-            return (Flaw::Large, urgency);
-        }
-        let is_long = self.size.is_some_and(|size| {
-            let third = |axis: usize| (a[axis] + b[axis] + c[axis]) / 3.0;
-            let longest = uu.max(vv).max(shortest);
-            longest.sqrt() > size([third(0), third(1)])
-        });
-        (if is_long { Flaw::Large } else { Flaw::None }, urgency)
+        area > self.area_max
+            || self.size.is_some_and(|size| {
+                let third = |axis: usize| (at[0][axis] + at[1][axis] + at[2][axis]) / 3.0;
+                shape.longest.sqrt() > size([third(0), third(1)])
+            })
     }
 
     /// Whether the angle at the last corner is less than the bound, exactly.
-    fn is_skinny(&self, corners: [VertexId; 3], live: &Live) -> bool {
+    fn is_less(&self, corners: [VertexId; 3], live: &Live) -> bool {
         if self.cosine_square >= 1.0 {
             return false;
         }
-        let [a, b, c] = corners.map(|v| live.kernel.exact(id(v)).x);
-        let from = |p: [Dyadic; 2]| {
-            let [x, y] = p;
-            [x - &c[0], y - &c[1]]
-        };
-        let (u, v) = (from(a), from(b));
-        let dot = |p: &[Dyadic; 2], q: &[Dyadic; 2]| &p[0] * &q[0] + &p[1] * &q[1];
-        let uv = dot(&u, &v);
-        let squares = &dot(&u, &u) * &dot(&v, &v);
-        let over = &uv * &uv - &squares * &Dyadic::from(self.cosine_square);
-        uv.sign() == Sign::Positive && over.sign() == Sign::Positive
+        let [a, b, c] = corners;
+        let [uv, over] = products([c, a, b], self.cosine_square, live);
+        uv == Sign::Positive && over == Sign::Positive
     }
 
-    /// Whether a vertex sees a piece at so wide an angle that it encroaches. Doubles steer.
+    /// Whether a vertex sees a piece at so wide an angle that it encroaches.
     pub(super) fn is_in_lens(&self, live: &Live, v: VertexId, ends: [VertexId; 2]) -> bool {
-        let v = live.kernel.position(id(v));
-        let [a, b] = ends.map(|end| minus(live.kernel.position(id(end)), v));
-        let ab = dot(a, b);
-        ab < 0.0 && ab * ab >= self.lens * dot(a, a) * dot(b, b)
+        let at = |v: VertexId| live.kernel.position(id(v));
+        let [a, b] = ends.map(|end| minus(at(end), at(v)));
+        let (aa, bb, ab) = (dot(a, a), dot(b, b), dot(a, b));
+        let (left, right) = (ab * ab, self.lens * aa * bb);
+        let slack = ROUNDING + self.rounding / aa.min(bb).sqrt();
+        if (left - right).abs() > slack * aa * bb && slack < 0.01 && aa * bb > 1e-280 {
+            return ab < 0.0 && left > right;
+        }
+        let [ab, over] = products([v, ends[0], ends[1]], self.lens, live);
+        ab == Sign::Negative && over != Sign::Negative
     }
 
     /// Where to put a vertex to destroy a triangle.
@@ -133,38 +143,88 @@ impl<'a> Quality<'a> {
         let [p, q, r] = from_shortest(live, corners);
         let [on_p, on_q] = [p, q].map(|v| live.steiner_of(v));
         match (on_p, on_q) {
-            (Some(&Steiner::On { segment, ref t }), _) => meet(live, apexes, (segment, t), q),
-            (_, Some(&Steiner::On { segment, ref t })) => meet(live, apexes, (segment, t), p),
+            (Some(Steiner::On { segment, t }), _) => meet(live, apexes, (segment, p, t), q),
+            (_, Some(Steiner::On { segment, t })) => meet(live, apexes, (segment, q, t), p),
             (None, None) => {
+                if apexes.bits(r).is_none() || !may_be_as_far(live, r, [p, q]) {
+                    return false;
+                }
                 let lengths = [p, q].map(|v| {
                     live.segment_between([r, v]).map(|segment| live.squared_length(segment))
                 });
-                let [Some(of_p), Some(of_q)] = lengths else { return false };
-                apexes.bits(r).is_some() && nearly_equal(&of_p, &of_q)
+                matches!(&lengths, [Some(of_p), Some(of_q)] if nearly_equal(of_p, of_q))
             }
             _ => false,
         }
     }
 }
 
-/// Short edges first, up to a factor of two of their squares; among those, small angles first, by their squared tangent. Either
-/// alone takes more vertices: the first on curves, the second where edges of all lengths meet.
-fn urgency(shortest: f64, tangent_square: f64) -> u64 {
-    // The bits of doubles that are not negative are in their order; the exponent is above 52 of mantissa.
-    shortest.to_bits() >> 52 << 52 | tangent_square.to_bits() >> 12
+/// The signs of `u . v` and of `(u . v)^2 - c |u|^2 |v|^2` for the edges u, v from the first vertex to the two others, exactly.
+fn products(vertices: [VertexId; 3], c: f64, live: &Live) -> [Sign; 2] {
+    let [z, a, b] = vertices.map(|v| live.kernel.exact(id(v)).x);
+    let from = |[x, y]: [Dyadic; 2]| [x - &z[0], y - &z[1]];
+    let (u, v) = (from(a), from(b));
+    let dot = |p: &[Dyadic; 2], q: &[Dyadic; 2]| &p[0] * &q[0] + &p[1] * &q[1];
+    let uv = dot(&u, &v);
+    let squares = &dot(&u, &u) * &dot(&v, &v);
+    let over = &uv * &uv - &squares * &Dyadic::from(c);
+    [uv.sign(), over.sign()]
 }
 
-/// Whether a vertex is as far from an apex of a segment as the point of that parameter, on another segment of it.
-fn meet(live: &Live, apexes: &Apexes, (segment, t): (u32, &Dyadic), v: VertexId) -> bool {
+/// A triangle in doubles: the two edges u and v from the corner that is opposite the shortest one.
+struct Shape {
+    u: [f64; 2],
+    v: [f64; 2],
+    uv: f64,
+    /// |u|^2 |v|^2
+    squares: f64,
+    /// Squared lengths.
+    shortest: f64,
+    longest: f64,
+}
+
+impl Shape {
+    #[inline]
+    fn new(at: [[f64; 2]; 3]) -> Self {
+        let [a, b, c] = rotated(at, shortest_edge(at));
+        let (u, v, w) = (minus(a, c), minus(b, c), minus(b, a));
+        let (uu, vv) = (dot(u, u), dot(v, v));
+        Self { u, v, uv: dot(u, v), squares: uu * vv, shortest: dot(w, w), longest: uu.max(vv) }
+    }
+
+    fn tangent_square(&self) -> f64 {
+        (self.squares / (self.uv * self.uv) - 1.0).max(0.0)
+    }
+}
+
+/// Whether a vertex is as far from an apex of a segment as a point of another segment of it, which is at that parameter.
+fn meet(
+    live: &Live,
+    apexes: &Apexes,
+    (segment, p, t): (u32, VertexId, &Dyadic),
+    v: VertexId,
+) -> bool {
     [0, 1].into_iter().any(|end| {
         let apex = VertexId::new(live.segments[segment as usize][end] as usize);
-        if apexes.bits(apex).is_none() {
+        if apexes.bits(apex).is_none() || !may_be_as_far(live, apex, [p, v]) {
             return false;
         }
         let Some(other) = squared_radius(live, segment, apex, v) else { return false };
         let t = if end == 0 { t.clone() } else { Dyadic::from(1) - t };
         nearly_equal(&(&(&t * &t) * &live.squared_length(segment)), &other)
     })
+}
+
+/// Whether two vertices may be at one distance from a site: `false` if doubles tell that they are not.
+fn may_be_as_far(live: &Live, z: VertexId, vertices: [VertexId; 2]) -> bool {
+    let z = live.kernel.position(id(z));
+    let [p, q] = vertices.map(|v| live.kernel.position(id(v)));
+    let [to_p, to_q] = [p, q].map(|v| dot(minus(v, z), minus(v, z)));
+    let far = [z, p, q].as_flattened().iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+    let less = to_p.min(to_q);
+    let slack = NEARLY + 16.0 * f64::EPSILON * far / less.sqrt();
+    // Not where anything under- or overflows.
+    !((to_p - to_q).abs() > slack * less.max(f64::MIN_POSITIVE) && slack < 0.01 && far < 1e150)
 }
 
 /// Whether two squared radii are one up to the precision of parameters.
@@ -177,16 +237,30 @@ fn nearly_equal(a: &Dyadic, b: &Dyadic) -> bool {
 }
 
 /// The corners in their order, the shortest edge being that from the first to the second.
-fn from_shortest(live: &Live, [a, b, c]: [VertexId; 3]) -> [VertexId; 3] {
-    let [p, q, r] = [a, b, c].map(|v| live.kernel.position(id(v)));
+fn from_shortest(live: &Live, corners: [VertexId; 3]) -> [VertexId; 3] {
+    rotated(corners, shortest_edge(corners.map(|v| live.kernel.position(id(v)))))
+}
+
+/// From which corner, to the next one, the shortest edge of a triangle runs.
+#[inline]
+fn shortest_edge([p, q, r]: [[f64; 2]; 3]) -> usize {
     let square = |p: [f64; 2], q: [f64; 2]| dot(minus(q, p), minus(q, p));
-    let (ab, bc, ca) = (square(p, q), square(q, r), square(r, p));
-    if ab <= bc && ab <= ca {
-        [a, b, c]
-    } else if bc <= ca {
-        [b, c, a]
+    let (pq, qr, rp) = (square(p, q), square(q, r), square(r, p));
+    if pq <= qr && pq <= rp {
+        0
+    } else if qr <= rp {
+        1
     } else {
-        [c, a, b]
+        2
+    }
+}
+
+#[inline]
+fn rotated<T: Copy>([a, b, c]: [T; 3], first: usize) -> [T; 3] {
+    match first {
+        0 => [a, b, c],
+        1 => [b, c, a],
+        _ => [c, a, b],
     }
 }
 

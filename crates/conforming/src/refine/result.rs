@@ -1,13 +1,10 @@
 //! What refinement returns.
 
-use std::collections::BTreeMap;
-
 use delone_cdt::Cdt;
 use delone_mesh::{CellId, VertexId};
 use delone_predicates::Kernel;
 use delone_sites::Pslg;
 
-use super::quality::Flaw;
 use super::{Work, corners};
 use crate::Conforming;
 use crate::live::id;
@@ -89,6 +86,20 @@ impl Refined {
         &self.left_alone
     }
 
+    /// For each solid cell in their order whether it is inside, and the places in that order of those that are left alone at small
+    /// input angles: all others inside keep the bound on angles, unless doubles were too coarse or a limit was reached.
+    #[must_use]
+    pub fn sides(&self) -> (Vec<bool>, Vec<usize>) {
+        let inside = self.triangulation.cells().map(|cell| self.is_inside(cell)).collect();
+        let at_input_angles = |cell: &CellId| {
+            let place = self.left_alone.binary_search_by_key(cell, |left| left.cell);
+            place.is_ok_and(|place| self.left_alone[place].reason == Reason::InputAngle)
+        };
+        let cells = self.triangulation.cells().enumerate();
+        let exceptions = cells.filter(|(_, cell)| at_input_angles(cell));
+        (inside, exceptions.map(|(place, _)| place).collect())
+    }
+
     /// The least angle of the cells inside, in degrees, in doubles; 180 if there are none.
     #[must_use]
     pub fn angle_deg_min(&self) -> f64 {
@@ -117,29 +128,22 @@ impl Refined {
 }
 
 impl Work<'_> {
-    /// Closes gaps in the numbers of cells and vertices, and looks at all that is inside once more.
+    /// Closes gaps in the numbers of cells and vertices, and says what was left alone.
     pub(super) fn finish(mut self, is_complete: bool) -> Refined {
-        self.compact();
-        let sorted = |mut corners: [VertexId; 3]| {
-            corners.sort_unstable();
-            corners
-        };
-        let reasons: BTreeMap<[VertexId; 3], Reason> =
-            self.left_alone.iter().map(|&(corners, reason)| (sorted(corners), reason)).collect();
+        let mut reasons = self.reasons();
+        self.compact(&mut reasons);
+        let cells = self.live.mesh.cells();
+        let inside: Vec<bool> = cells.clone().map(|cell| self.is_inside(cell)).collect();
         let mut left_alone = Vec::new();
-        let mut inside = Vec::with_capacity(self.live.mesh.cell_count());
-        for cell in self.live.mesh.cells() {
-            let is_inside = self.is_inside(cell);
-            inside.push(is_inside);
-            if !is_inside {
-                continue;
+        for cell in cells.filter(|cell| inside[cell.index()]) {
+            let mut reason = reasons[cell.index()];
+            // Inv 2: what is in none of the lists keeps the bounds.
+            if reason.is_none() && (!is_complete || cfg!(debug_assertions)) {
+                let flaw = self.quality.flaw(&self.live, corners(&self.live, cell));
+                assert!(flaw.is_none() || !is_complete, "Inv 2: it was queued, or listed");
+                reason = flaw.map(|_| Reason::Limit);
             }
-            let corners = corners(&self.live, cell);
-            if self.quality.flaw(&self.live, corners).0 != Flaw::None {
-                let reason = reasons.get(&sorted(corners)).copied();
-                assert!(reason.is_some() || !is_complete, "Inv 2: it was queued, or listed");
-                left_alone.push(LeftAlone { cell, reason: reason.unwrap_or(Reason::Limit) });
-            }
+            left_alone.extend(reason.map(|reason| LeftAlone { cell, reason }));
         }
         let regions = std::mem::take(&mut self.live.region_at);
         Refined {
@@ -150,37 +154,44 @@ impl Work<'_> {
         }
     }
 
+    /// Why a cell was left alone, by cell.
+    fn reasons(&self) -> Vec<Option<Reason>> {
+        let mut reasons = vec![None; self.live.mesh.cell_count()];
+        for &(cell, corners, reason) in &self.left_alone {
+            if self.live.is_still(cell, corners) {
+                reasons[cell.index()] = Some(reason);
+            }
+        }
+        reasons
+    }
+
     /// Closes the slots of cells and the numbers of vertices that are gone.
-    fn compact(&mut self) {
+    fn compact(&mut self, reasons: &mut [Option<Reason>]) {
         let live = &mut self.live;
         let regions = &mut live.region_at;
-        live.mesh.compact(|from, to| regions[to.index()] = regions[from.index()]);
+        live.mesh.compact(|from, to| {
+            regions[to.index()] = regions[from.index()];
+            reasons[to.index()] = reasons[from.index()];
+        });
         regions.truncate(live.mesh.cell_count());
-        if self.removed == 0 {
+        if self.removed.is_empty() {
             return;
         }
-        let cells = live.mesh.cells_by_vertex(live.kernel.len());
-        let count = u32::try_from(cells.len()).expect("vertices are fewer than ids");
-        // Sites stay, also those that no cell has.
-        let stays = |&v: &u32| (v as usize) < live.sites || cells[v as usize].is_some();
-        let order: Vec<u32> = (0..count).filter(stays).collect();
-        let mut names = vec![None; cells.len()];
+        let count = live.kernel.len();
+        let mut gone = vec![false; count];
+        self.removed.iter().for_each(|v| gone[v.index()] = true);
+        let order: Vec<u32> = (0u32..).take(count).filter(|&v| !gone[v as usize]).collect();
+        let mut names = vec![None; count];
         for (name, &v) in order.iter().enumerate() {
             names[v as usize] = Some(VertexId::new(name));
         }
         let name = |v: VertexId| names[v.index()];
         live.kernel = live.kernel.reordered(&order);
         live.mesh.relabel(|v| name(v).expect("a corner stays"));
-        let old = std::mem::take(&mut live.steiner);
-        let old = (live.sites..).zip(old);
-        live.steiner =
-            old.filter(|&(v, _)| names[v].is_some()).map(|(_, steiner)| steiner).collect();
+        let sites = live.sites;
+        live.steiner.retain(|place| names[sites + place].is_some());
         for piece in &mut live.pieces {
             piece.ends = piece.ends.map(|v| name(v).expect("the ends of a piece stay"));
         }
-        self.left_alone = std::mem::take(&mut self.left_alone)
-            .into_iter()
-            .filter_map(|([a, b, c], reason)| Some(([name(a)?, name(b)?, name(c)?], reason)))
-            .collect();
     }
 }

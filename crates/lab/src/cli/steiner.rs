@@ -4,17 +4,36 @@ use clap::{Args, ValueEnum};
 
 use super::{Fill, Report, Source};
 
+/// What the commands that add Steiner points have in common.
 #[derive(Args)]
-pub(crate) struct Conform {
+pub(crate) struct Adding {
     #[command(flatten)]
     pub(crate) source: Source,
-    /// Which subsegments are split
-    #[arg(long, value_enum, default_value_t = Method::Delaunay)]
-    pub(crate) method: Method,
+    /// What to do with segments that cross
+    #[arg(long, value_enum, default_value_t = Crossings::Reject)]
+    pub(crate) crossings: Crossings,
     #[command(flatten)]
     pub(crate) limits: Limits,
     #[command(flatten)]
     pub(crate) report: Report,
+}
+
+/// Steiner points are on segments between points in doubles: crossings are rounded, or refused.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Crossings {
+    /// List every crossing and stop
+    Reject,
+    /// Make each crossing a vertex at the nearest doubles, and cut again what crosses then
+    Snap,
+}
+
+#[derive(Args)]
+pub(crate) struct Conform {
+    #[command(flatten)]
+    pub(crate) adding: Adding,
+    /// Which subsegments are split
+    #[arg(long, value_enum, default_value_t = Method::Delaunay)]
+    pub(crate) method: Method,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -52,7 +71,7 @@ pub(crate) struct Limits {
 #[derive(Args)]
 pub(crate) struct Refine {
     #[command(flatten)]
-    pub(crate) source: Source,
+    pub(crate) adding: Adding,
     /// Where points go, and what is too near a segment
     #[arg(long, value_enum, default_value_t = Refinement::OffCentre)]
     pub(crate) method: Refinement,
@@ -68,10 +87,6 @@ pub(crate) struct Refine {
     /// What is inside; files and pictures then hold the inside alone
     #[arg(long, value_enum, default_value_t = Fill::Exterior)]
     pub(crate) fill: Fill,
-    #[command(flatten)]
-    pub(crate) limits: Limits,
-    #[command(flatten)]
-    pub(crate) report: Report,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

@@ -1,73 +1,42 @@
 //! `delone refine`: read, validate, refine what is inside, judge, write, tell.
 
 use std::path::Path;
-use std::time::Instant;
 
-use delone_check::Promise;
 use delone_conforming::{
     Centre, Encroachment, Limits, Reason, RefineOptions, Refined, SizeField, refine as refined,
 };
 use serde_json::{Map, Value, json};
 
-use super::conform::write_and_tell;
-use super::triangulate::written;
+use super::adding::{Adding, Own};
 use crate::cli;
 use crate::failure::Failure;
-use crate::progress::Progress;
-use crate::result::{Outcome, Seconds};
-use crate::subject::{Subject, refusal};
-use crate::watch::{self, Watch};
-use crate::{fill, input, output, steiner};
+use crate::subject::refusal;
+use crate::{fill, steiner};
 
 pub(crate) fn refine(arguments: &cli::Refine) -> Result<(), Failure> {
-    let limit = watch::limit(arguments.limits.time_limit)?;
     check_bounds(arguments)?;
     let field = arguments.size.as_deref().map(Field::read).transpose()?;
-    let report = &arguments.report;
-    let start = Instant::now();
-    let document = input::read(&arguments.source.input, arguments.source.format.as_deref())?;
-    let subject = Subject::graph(document)?;
-    let pslg = steiner::graph(&subject);
-    for path in &report.outputs {
-        output::format_to_write(path)?;
-    }
-    output::check_paths(written(report))?;
-    let mut seconds = Seconds { read: start.elapsed().as_secs_f64(), ..Seconds::default() };
     let size = field.as_ref().map(|field| |place: [f64; 2]| field.at(place));
     let size = size.as_ref().map(|size| size as &dyn Fn([f64; 2]) -> f64);
-    let options = options(arguments, size);
-    let mut progress = Progress::new(arguments.method.name(), report.voice.quiet);
-    let clock = Instant::now();
-    let listener = report.counts.then_some(&mut progress);
-    let rule = fill::rule(arguments.fill, &subject);
-    let refined = refined(pslg, &rule, &options, &mut Watch::start(listener, limit))
-        .map_err(|error| refusal(&subject.document, &error.to_string()))?;
-    seconds.build = clock.elapsed().as_secs_f64();
-    progress.finish();
-    let conforming = refined.triangulation();
-    let result = steiner::Result { subject: &subject, pslg, conforming, inside: Some(&refined) };
-    let clock = Instant::now();
-    let verdict = report.check.then(|| result.verdict(Promise::Constrained));
-    seconds.check = report.check.then(|| clock.elapsed().as_secs_f64());
-    let mut extra = result.keys();
-    extra.extend(keys(&refined, report.voice.json));
-    let mut outcome = Outcome {
-        schema: "delone.refine/1",
-        subject: &subject,
-        algorithm: arguments.method.name(),
-        kernel: "constructed",
-        fingerprint: conforming.fingerprint().to_string(),
-        sizes: result.sizes(),
-        seconds,
-        counts: report.counts.then_some(progress.counts),
-        verdict,
-        extra,
-        notes: subject.document.notes.clone(),
-    };
-    write_and_tell(report, &result, &mut outcome)
+    let mut adding = Adding::begin(&arguments.adding, arguments.method.name())?;
+    let options = options(arguments, adding.vertices_max(), size);
+    let rule = fill::rule(arguments.fill, &adding.subject);
+    let refined = adding
+        .build(|subject, watch| refined(steiner::graph(subject), &rule, &options, watch))
+        .map_err(|error| refusal(&adding.subject.document, &error.to_string()))?;
+    let (subject, conforming) = (&adding.subject, refined.triangulation());
+    let pslg = adding.pslg();
+    let result = steiner::Result { subject, pslg, conforming, inside: Some(&refined) };
+    let own =
+        Own { schema: "delone.refine/1", keys: keys(&refined, arguments.adding.report.voice.json) };
+    adding.end(&result, own, || result.verdict_on_angles(&refined, options.cosine_square()))
 }
 
-fn options<'a>(arguments: &cli::Refine, size: Option<SizeField<'a>>) -> RefineOptions<'a> {
+fn options<'a>(
+    arguments: &cli::Refine,
+    vertices_max: usize,
+    size: Option<SizeField<'a>>,
+) -> RefineOptions<'a> {
     RefineOptions {
         centre: match arguments.method {
             cli::Refinement::OffCentre => Centre::OffCentre,
@@ -80,7 +49,7 @@ fn options<'a>(arguments: &cli::Refine, size: Option<SizeField<'a>>) -> RefineOp
         angle_deg_min: arguments.angle_min,
         area_max: arguments.area_max.unwrap_or(f64::INFINITY),
         size,
-        limits: Limits { vertices_max: arguments.limits.vertices_max.unwrap_or(usize::MAX) },
+        limits: Limits { vertices_max },
     }
 }
 

@@ -103,3 +103,16 @@ fn refine_tells_the_keys_of_the_contract() {
         assert_eq!(run(folder.path(), &words).0, 2, "{words:?}");
     }
 }
+
+#[test]
+fn crossings_are_rounded_if_asked_to() {
+    let folder = folder();
+    std::fs::write(folder.path().join("cross.poly"), CROSS).unwrap();
+    for command in ["conform", "refine"] {
+        let words = [command, "cross.poly", "--crossings", "snap", "--json", "--check"];
+        let (status, out, error) = run(folder.path(), &words);
+        assert_eq!(status, 0, "{error}");
+        let object: Value = serde_json::from_str(&out).unwrap();
+        assert_eq!((&object["complete"], &object["check"]["ok"]), (&true.into(), &true.into()));
+    }
+}

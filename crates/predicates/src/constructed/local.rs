@@ -13,25 +13,24 @@
 //! under- or overflows but terms of 2^-1000, which are far below what the bounds have to spare.
 
 use crate::Sign;
-use crate::filter::value;
 
 const U: f64 = f64::EPSILON / 2.0;
 
 /// Where no term under- or overflows.
 const RANGE: std::ops::RangeInclusive<f64> = 6.3e-61..=1.6e60;
 
-/// The sign of the orientation of points whose nearest doubles these are, if that is certain.
-pub(super) fn orient2d(points: [&[f64; 2]; 3]) -> Option<Sign> {
-    let [a, b, c] = points;
+/// The sign of the orientation of points whose nearest doubles these are, if that is certain; `value` is that of these doubles.
+#[inline]
+pub(super) fn orient2d([a, b, c]: [&[f64; 2]; 3], value: f64) -> Option<Sign> {
     let (d, e) = errors([a, b], c)?;
-    certain(value::orient2d(a, b, c), (5.0 * e + 8.0 * U * d) * d)
+    certain(value, (5.0 * e + 8.0 * U * d) * d)
 }
 
 /// The same of the circle through the first three and the last.
-pub(super) fn in_circle(points: [&[f64; 2]; 4]) -> Option<Sign> {
-    let [a, b, c, q] = points;
+#[inline]
+pub(super) fn in_circle([a, b, c, q]: [&[f64; 2]; 4], value: f64) -> Option<Sign> {
     let (d, e) = errors([a, b, c], q)?;
-    certain(value::in_circle(points), (64.0 * e + 136.0 * U * d) * (d * d * d))
+    certain(value, (64.0 * e + 136.0 * U * d) * (d * d * d))
 }
 
 /// The sign of `(b - a) . (d - c)`, which is as large as an orientation.
@@ -47,10 +46,12 @@ pub(super) fn dot([a, b, c, d]: [&[f64; 2]; 4]) -> Option<Sign> {
 /// The largest difference to the last point, and by how much differences are off.
 #[inline(always)]
 fn errors<const N: usize>(points: [&[f64; 2]; N], last: &[f64; 2]) -> Option<(f64, f64)> {
-    let (mut d, mut m) = (0.0_f64, last[0].abs().max(last[1].abs()));
+    let larger = |x: f64, y: f64| if x > y { x } else { y }; // none is NaN
+    let (mut d, mut m) = (0.0, larger(last[0].abs(), last[1].abs()));
     for p in points {
-        d = d.max((p[0] - last[0]).abs()).max((p[1] - last[1]).abs());
-        m = m.max(p[0].abs()).max(p[1].abs());
+        let of_p = larger((p[0] - last[0]).abs(), (p[1] - last[1]).abs());
+        d = larger(d, of_p);
+        m = larger(m, larger(p[0].abs(), p[1].abs()));
     }
     Some((d, error(d, m)?))
 }

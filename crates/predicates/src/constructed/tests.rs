@@ -144,10 +144,12 @@ fn the_local_filter_is_right_far_from_the_origin() {
         for call in [[8usize, 9, 10, 11], [8, 12, 0, 9], [8, 12, 9, 10], [0, 8, 12, 1]] {
             let [a, b, c, q] = call;
             let (orient, _) = kernel.orient_by_ring(&[0, 1], &[a, b, c]);
-            let locally = kernel.orient_locally(&[a, b, c]);
+            let value = kernel.orient_value(&[a, b, c]);
+            let locally = kernel.orient_locally(&[a, b, c], value);
             assert!(locally.is_none_or(|(sign, _)| sign == orient), "{round} {call:?}");
             let (lifted, _) = kernel.lifted_by_ring(&[0, 1], &[a, b, c], q);
-            let locally = kernel.lifted_locally(&[a, b, c], q);
+            let value = kernel.lifted_value(&[a, b, c], q);
+            let locally = kernel.lifted_locally(&[a, b, c], q, value);
             assert!(locally.is_none_or(|(sign, _)| sign == lifted), "{round} {call:?}");
             let locally = kernel.dot_locally([a, b, c, q]);
             let at = |v: usize| kernel.exact_at(v).x;

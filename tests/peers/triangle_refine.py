@@ -1,0 +1,35 @@
+"""Triangle behind a pipe, through PyPI's package `triangle`: an opponent in refinement.
+
+In: requests as those of cgal.cpp, of one kind:
+  refine DEGREES SIZE N M    then N lines  x y, then M lines  i j    (SIZE is not looked at)
+Out: `triangle`, when it is ready; for each request `counted VERTICES CELLS SECONDS`. After ten seconds the program ends.
+"""
+
+import signal
+import struct
+import sys
+import time
+
+import numpy
+import triangle
+
+
+def double(digits):
+    return struct.unpack(">d", bytes.fromhex(digits))[0]
+
+
+print("triangle", flush=True)
+for line in sys.stdin:
+    _, degrees, _, n, m = line.split()
+    points = [[double(x) for x in sys.stdin.readline().split()] for _ in range(int(n))]
+    segments = [[int(i) for i in sys.stdin.readline().split()] for _ in range(int(m))]
+    given = {
+        "vertices": numpy.array(points, dtype=float).reshape(-1, 2),
+        "segments": numpy.array(segments, dtype=numpy.int32).reshape(-1, 2),
+    }
+    signal.alarm(10)
+    start = time.perf_counter()
+    made = triangle.triangulate(given, "pq" + degrees)
+    seconds = time.perf_counter() - start
+    signal.alarm(0)
+    print("counted", len(made["vertices"]), len(made.get("triangles", ())), seconds, flush=True)
