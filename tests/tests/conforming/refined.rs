@@ -97,7 +97,7 @@ impl Table {
 
     /// Refined, the best of three times; `None` if nothing is inside.
     fn refined(&self, pslg: &Pslg) -> Option<(Refined, f64, RefineOptions<'static>)> {
-        let vertices_max = 20 * pslg.sites().len() + 100_000;
+        let vertices_max = 20 * pslg.sites().len() + if long() { 100_000 } else { 2_000 };
         let options = RefineOptions {
             angle_deg_min: self.degrees,
             limits: Limits { vertices_max },
