@@ -14,7 +14,8 @@
 //! **Paper.** [Che89] cuts slabs alone. That cuts of both kinds in turn leave less to be undone is Dwyer's observation [Dwy87], for sites
 //! without segments: the triangles of narrow, high slabs are slivers, which wider ones undo. **Order.** Across y sites compare by ordinate, then
 //! abscissa: as if cuts fell by an infinitesimal to the right. **Cost.** O(k log k) for k sites, once for each site: blocks are not cut again. A cut
-//! that is not clean would part segments; without clean ones the region is halved like others.
+//! that is not clean would part segments; without clean ones the region is halved like others, and so it is where segments are
+//! nearly as many as sites.
 
 use std::cmp::Ordering;
 use std::ops::Range;
@@ -91,7 +92,7 @@ impl<K: PlaneKernel, P: Probe> Chew<'_, '_, K, P> {
         // Of an even cloud, as many sites are in a block as high as the slab is wide.
         let square = width * width / self.bounds.len() as u64;
         let size = usize::try_from(square).unwrap_or(usize::MAX).max(LEAST);
-        if places.len() < size.saturating_mul(2) {
+        if places.len() < size.saturating_mul(2) || self.is_full_of_chains() {
             return None;
         }
         self.sort_across(places.clone());
@@ -115,6 +116,11 @@ impl<K: PlaneKernel, P: Probe> Chew<'_, '_, K, P> {
         let region = self.zip_blocks(0..count, base, slab);
         self.regions.truncate(base);
         Some(region)
+    }
+
+    /// Whether there are so many segments that chains of them are in the way of most cuts: to look for clean ones costs what they save.
+    fn is_full_of_chains(&self) -> bool {
+        4 * self.segments.len() > 3 * self.bounds.len()
     }
 
     /// Finds the order across y of the sites at these places, all of one region.
