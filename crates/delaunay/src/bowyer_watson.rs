@@ -94,6 +94,16 @@ fn in_flat<const D: usize, const K: usize>(
     Mesh::embed(&build(&Projected::<D, K, _>::new(kernel, axes), count, probe))
 }
 
+/// About as many cells as so many sites of an even cloud have, hull and slots between included: 2 a site in the plane, 6.77 in space. In
+/// more dimensions there are too many to be guessed.
+fn room(dimension: usize, count: usize) -> usize {
+    match dimension {
+        2 => 2 * count + 16,
+        3 => 7 * count + 64,
+        _ => 0,
+    }
+}
+
 /// Inserts vertices 0 to `count - 1` in this order; the first D+1 are a positive simplex.
 fn build<const D: usize, K: Kernel<D>>(
     kernel: &K,
@@ -102,6 +112,7 @@ fn build<const D: usize, K: Kernel<D>>(
 ) -> Mesh<D> {
     let first: Vec<VertexId> = (0..=D).map(VertexId::new).collect();
     let mut mesh = Mesh::simplex(&first);
+    mesh.reserve(room(D, count));
     let (mut cavity, mut view) = (Cavity::new(), View::default());
     let mut coin = Coin::default();
     let mut hint = CellId::new(0);

@@ -22,6 +22,13 @@ impl<const D: usize> Default for Mesh<D> {
 }
 
 impl<const D: usize> Mesh<D> {
+    /// Makes room for so many cells in all, and for no more: arrays that grow by themselves hold twice as much while they move.
+    pub fn reserve(&mut self, cells: usize) {
+        let facets = cells.saturating_mul(D + 1).saturating_sub(self.vertices.len());
+        self.vertices.reserve_exact(facets);
+        self.twins.reserve_exact(facets);
+    }
+
     /// The mesh of no vertices: no cells, no dimension.
     #[must_use]
     pub fn empty() -> Self {
