@@ -128,7 +128,7 @@ fn build<const D: usize, K: Kernel<D>>(
         }
         dig_conflicts_looking(&mesh, kernel, seed, p, (&mut cavity, &mut view), probe);
         hint = mesh.star(&mut cavity, p);
-        cavity.rim().iter().for_each(|_| probe.on(Event::CellMade));
+        cavity.rim().for_each(|_| probe.on(Event::CellMade));
         probe.on(Event::Site { done: done + 1, total: count });
     }
     mesh.compact(|_, _| {});

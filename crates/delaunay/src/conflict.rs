@@ -88,11 +88,37 @@ pub(crate) fn dig_conflicts_looking<const D: usize>(
     probe.on(Event::Cavity { cells: cavity.cells().len() });
 }
 
-/// What a site sees of the cells of its cavity, by place, and of those that these meet, by number. Where there is a ghost, nothing.
-#[derive(Clone, Debug, Default)]
+/// So many vertices of a cavity have names, nobody among them.
+const NAMES: usize = 64;
+
+/// What a site sees: vertices of its cavity, by name, what is common to the tests about each cell of it, by place, and apices of
+/// cells met, by number. Of the ghost, nothing, nor of nobody.
+#[derive(Clone, Debug)]
 pub(crate) struct View {
-    outlooks: Vec<Outlook>,
+    rows: [Sight; NAMES],
+    outlooks: Vec<(Outlook, [u8; 4])>,
     sights: Vec<Sight>,
+}
+
+impl Default for View {
+    fn default() -> Self {
+        Self { rows: [Sight::default(); NAMES], outlooks: Vec::new(), sights: Vec::new() }
+    }
+}
+
+impl View {
+    /// How the vertex of this name is seen.
+    #[inline(always)]
+    fn row(&self, name: u8) -> &Sight {
+        &self.rows[usize::from(name) % NAMES]
+    }
+
+    #[inline(always)]
+    fn set_row(&mut self, name: u8, sight: Sight) {
+        if name > 0 {
+            self.rows[usize::from(name) % NAMES] = sight;
+        }
+    }
 }
 
 /// Digs what is in conflict with a site, which looks about from each cell.
@@ -106,37 +132,43 @@ struct Conflicts<'a, const D: usize, K, P> {
 
 impl<const D: usize, K: Kernel<D>, P: Probe> Digger<D> for Conflicts<'_, D, K, P> {
     #[inline(always)]
-    fn explore(&mut self, place: usize, cell: CellId) {
-        if !K::LOOKS {
-            return;
-        }
-        let corners = &self.mesh.corners(cell)[..=D]; // a length that the compiler knows
-        let outlook = at_place(&mut self.view.outlooks, place);
-        if corners.contains(&VertexId::GHOST) {
-            *outlook = Outlook::default();
-        } else {
-            self.kernel.look(outlook, corners, self.p);
+    fn meet(&mut self, number: usize, apex: VertexId) {
+        if K::LOOKS {
+            *at_place(&mut self.view.sights, number) = self.sight(apex);
         }
     }
 
     #[inline(always)]
-    fn meet(&mut self, number: usize, apex: VertexId) {
-        if !K::LOOKS {
-            return;
+    fn name(&mut self, name: u8, vertex: VertexId) {
+        if K::LOOKS {
+            self.view.set_row(name, self.sight(vertex));
         }
-        let sight = at_place(&mut self.view.sights, number);
-        if apex.is_ghost() {
-            *sight = Sight::default();
-        } else {
-            self.kernel.see(sight, apex, self.p);
+    }
+
+    #[inline(always)]
+    fn name_met(&mut self, name: u8, number: usize) {
+        if K::LOOKS {
+            self.view.set_row(name, self.view.sights[number]);
+        }
+    }
+
+    #[inline(always)]
+    fn explore(&mut self, place: usize, names: [u8; 4]) {
+        if K::LOOKS {
+            let View { rows, outlooks, .. } = &mut *self.view;
+            let (outlook, of) = at_place(outlooks, place);
+            *of = names;
+            self.kernel.look(outlook, names.map(|name| &rows[usize::from(name) % NAMES]));
         }
     }
 
     #[inline(always)]
     fn digs(&mut self, number: usize, from: (usize, usize), beyond: FacetId<D>) -> bool {
         if K::LOOKS {
-            let (outlook, sight) = (&self.view.outlooks[from.0], &self.view.sights[number]);
-            if let Some(sign) = self.kernel.lifted_beyond(outlook, from.1, sight) {
+            let ((outlook, names), sight) =
+                (&self.view.outlooks[from.0], &self.view.sights[number]);
+            let end = self.view.row(names[(from.1 ^ 1) % 4]);
+            if let Some(sign) = self.kernel.lifted_beyond(outlook, from.1, end, sight) {
                 self.probe.on(Event::InSphere);
                 if sign == Sign::Zero {
                     return self.is_tied_in(beyond.cell());
@@ -164,6 +196,16 @@ fn grow<T: Default>(items: &mut Vec<T>, place: usize) {
 }
 
 impl<const D: usize, K: Kernel<D>, P> Conflicts<'_, D, K, P> {
+    /// How the site sees a vertex.
+    #[inline(always)]
+    fn sight(&self, vertex: VertexId) -> Sight {
+        let mut sight = Sight::default();
+        if !vertex.is_ghost() {
+            self.kernel.see(&mut sight, vertex, self.p);
+        }
+        sight
+    }
+
     #[cold]
     #[inline(never)]
     fn is_tied_in(&self, cell: CellId) -> bool {

@@ -157,7 +157,7 @@ impl<const D: usize, K: Kernel<D>> Dynamic<D, K> {
                 self.states[vertex.index()] = State::Hidden; // unless the rim has it, see below
             }
         }
-        self.cavity.rim().iter().for_each(|_| probe.on(Event::CellMade));
+        self.cavity.rim().for_each(|_| probe.on(Event::CellMade));
         let new = self.mesh.star(&mut self.cavity, p);
         gather_star(&self.mesh, p, new, &mut self.cavity);
         for &cell in self.cavity.cells() {

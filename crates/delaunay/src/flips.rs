@@ -78,7 +78,7 @@ fn split(
     let under = edge_under(mesh, kernel, cell, p, probe);
     let other = under.map(|h| mesh.twin(h).cell());
     cavity.dig(mesh, cell, |beyond| Some(beyond) == other);
-    cavity.rim().iter().for_each(|_| probe.on(Event::CellMade));
+    cavity.rim().for_each(|_| probe.on(Event::CellMade));
     mesh.star(cavity, p)
 }
 

@@ -119,8 +119,7 @@ fn shares(
 
 /// The rim, counter-clockwise, seen from inside.
 fn in_turn(mesh: &Mesh<2>, cavity: &Cavity<2>) -> Vec<HalfEdge> {
-    let mut rim: Vec<(VertexId, HalfEdge)> =
-        cavity.rim().iter().map(|&h| (mesh.origin(h), h)).collect();
+    let mut rim: Vec<(VertexId, HalfEdge)> = cavity.rim().map(|h| (mesh.origin(h), h)).collect();
     rim.sort_unstable();
     let mut ordered = vec![rim[0].1];
     while ordered.len() < rim.len() {

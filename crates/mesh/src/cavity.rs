@@ -12,39 +12,61 @@
 //! and one that is not, seen from inside. **Cost.** In space O(1) for each rim facet, by the ridges' names
 //! (`cavity/ridges.rs`); else O(D^2) for each, and the turns, each old facet being crossed O(D) times.
 
+mod names;
 mod pile;
 mod ridges;
 
 use crate::{CellId, FacetId, Mesh, VertexId};
+use names::Names;
 use pile::Pile;
 use ridges::Ridges;
 
 /// A set of cells to be removed, and its rim; scratch space to be used again and again.
 #[derive(Clone, Debug, Default)]
 pub struct Cavity<const D: usize> {
+    /// Those dug, by place.
     cells: Pile<CellId>,
+    /// Those met, by number, and the numbers of those dug, by place.
     met: Pile<Met<D>>,
-    rim: Pile<FacetId<D>>,
+    numbers: Pile<usize>,
+    rim: Pile<Inside<D>>,
     marks: Vec<Mark>,
+    /// In space: the names of vertices, and of the corners of the cells dug, by place.
+    names: Names,
+    called: Pile<[u8; 4]>,
     ridges: Ridges<D>,
 }
 
 /// Who says which cells are dug: a function of the cell, or something that looks from cell to cell.
+///
+/// In space the vertices of cells dug have names, small numbers from 1; where there are too many of them, some are called 0.
 pub trait Digger<const D: usize> {
-    /// This cell is the one at `place` among those dug.
-    #[inline(always)]
-    fn explore(&mut self, place: usize, cell: CellId) {
-        let _ = (place, cell);
-    }
-
     /// The cell that is met as the one of this `number` has this vertex off the facet through which it is seen.
     #[inline(always)]
     fn meet(&mut self, number: usize, apex: VertexId) {
         let _ = (number, apex);
     }
 
+    /// The vertex of the seed has this name.
+    #[inline(always)]
+    fn name(&mut self, name: u8, vertex: VertexId) {
+        let _ = (name, vertex);
+    }
+
+    /// The apex of the cell met with this number has this name.
+    #[inline(always)]
+    fn name_met(&mut self, name: u8, number: usize) {
+        let _ = (name, number);
+    }
+
+    /// The cell at this `place` among those dug has corners of these names.
+    #[inline(always)]
+    fn explore(&mut self, place: usize, names: [u8; 4]) {
+        let _ = (place, names);
+    }
+
     /// Whether the cell of `beyond`, met with this `number`, is to be dug. `beyond` is the twin of the facet opposite a corner of the
-    /// cell explored at a place: `(place, corner)`.
+    /// cell dug at a place: `(place, corner)`.
     fn digs(&mut self, number: usize, from: (usize, usize), beyond: FacetId<D>) -> bool;
 }
 
@@ -55,21 +77,21 @@ impl<const D: usize, F: FnMut(CellId) -> bool> Digger<D> for F {
     }
 }
 
-/// A cell met.
+/// A cell met; the seed is the first.
 #[derive(Clone, Copy, Debug)]
 struct Met<const D: usize> {
     /// From where: the index of the facet, if the places of cells dug were their numbers.
     slot: usize,
     /// Its own side of that facet.
     beyond: FacetId<D>,
-    /// Its vertex off that facet.
-    apex: VertexId,
 }
 
-impl<const D: usize> Default for Met<D> {
-    fn default() -> Self {
-        Self { slot: 0, beyond: FacetId::from_index(0), apex: VertexId::GHOST }
-    }
+/// A facet of the rim, seen from inside.
+#[derive(Clone, Copy, Debug)]
+struct Inside<const D: usize> {
+    facet: FacetId<D>,
+    /// That of its cell.
+    place: u32,
 }
 
 /// What is known of a cell: one byte each, so that the marks of many cells share a line of the cache, and numbers, so
@@ -90,77 +112,118 @@ impl<const D: usize> Cavity<D> {
     /// asked. What was dug before is forgotten. Each cell met is asked about once.
     pub fn dig(&mut self, mesh: &Mesh<D>, seed: CellId, mut digger: impl Digger<D>) {
         self.forget(mesh.cell_count());
+        let door = Met { slot: 0, beyond: FacetId::new(seed, 0) };
+        self.met.push(door);
         self.marks[seed.index()] = DUG;
-        self.cells.room(1, seed)[0] = seed;
-        self.cells.keep(1);
+        self.cells.push(seed);
+        self.numbers.push(0);
         // The usual case apart, so that the compiler knows how many corners a cell has.
         if mesh.corner_count() == D + 1 {
-            self.dig_from_seed(mesh, seed, &mut digger, D + 1);
+            if D == 3 {
+                self.name_seed(mesh, door.beyond, &mut digger);
+            }
+            self.dig_from_seed(mesh, &mut digger, D + 1);
             self.find_rim(mesh, D + 1);
         } else {
-            self.dig_from_seed(mesh, seed, &mut digger, mesh.corner_count());
+            self.dig_from_seed(mesh, &mut digger, mesh.corner_count());
             self.find_rim(mesh, mesh.corner_count());
+        }
+    }
+
+    /// Names the vertices of the seed but its apex, as seen through the facet.
+    #[inline(always)]
+    fn name_seed(&mut self, mesh: &Mesh<D>, door: FacetId<D>, digger: &mut impl Digger<D>) {
+        digger.meet(0, mesh.apex(door));
+        for &vertex in &mesh.corners(door.cell())[1..] {
+            digger.name(self.names.give(vertex), vertex);
         }
     }
 
     /// In layers, each of those met beyond the one before. The loops are short, have no branch that the data decides, and no turn
     /// waits for the one before: a processor has many of them under way, and so waits for memory once for many cells.
     #[inline(always)]
-    fn dig_from_seed(
-        &mut self,
-        mesh: &Mesh<D>,
-        seed: CellId,
-        digger: &mut impl Digger<D>,
-        count: usize,
-    ) {
+    fn dig_from_seed(&mut self, mesh: &Mesh<D>, digger: &mut impl Digger<D>, count: usize) {
+        let (mut explored, mut asked) = (0, self.met.len());
+        while explored < self.cells.len() {
+            if D == 3 && count == 4 {
+                self.explore(mesh, explored, digger);
+            }
+            self.meet(mesh, explored, count);
+            explored = self.cells.len();
+            self.decide(mesh, asked, digger);
+            asked = self.met.len();
+        }
+    }
+
+    /// Names the apices of the cells dug from the one at place `first` on, and explores these.
+    #[inline(always)]
+    fn explore(&mut self, mesh: &Mesh<D>, first: usize, digger: &mut impl Digger<D>) {
+        let Self { cells, met, numbers, names, called, .. } = self;
+        let (numbers, met) = (&numbers.as_slice()[first..], met.as_slice());
+        let room = called.room(numbers.len(), [0; 4]);
+        for ((place, &number), called) in (first..).zip(numbers).zip(room) {
+            let door = met[number].beyond;
+            digger.name_met(names.give(mesh.apex(door)), number);
+            let corners = mesh.corners_of(door.cell());
+            *called = std::array::from_fn(|corner| names.of(corners[corner % (D + 1)]));
+            digger.explore(place, *called);
+        }
+        called.keep(cells.len() - first);
+    }
+
+    /// Lists the cells met beyond those dug from the one at place `first` on.
+    #[inline(always)]
+    fn meet(&mut self, mesh: &Mesh<D>, first: usize, count: usize) {
         let Self { cells, met, marks, .. } = self;
         let marks = marks.as_mut_slice();
-        let (mut explored, mut asked) = (0, 0);
-        while explored < cells.len() {
-            let layer = &cells.as_slice()[explored..];
-            let room = met.room(layer.len() * count, Met::default());
-            let mut found = 0;
-            for (place, &cell) in (explored..).zip(layer) {
-                for (corner, &beyond) in mesh.twins_of(cell)[..count].iter().enumerate() {
-                    let mark = &mut marks[beyond.cell().index()];
-                    let slot = place * (D + 1) + corner;
-                    room[found] = Met { slot, beyond, apex: mesh.apex(beyond) };
-                    found += usize::from(*mark == UNKNOWN);
-                    *mark = (*mark).max(SPARED); // till it is dug
-                }
+        let layer = &cells.as_slice()[first..];
+        let room = met.room(layer.len() * count, Met { slot: 0, beyond: FacetId::from_index(0) });
+        let mut found = 0;
+        for (place, &cell) in (first..).zip(layer) {
+            for (corner, &beyond) in mesh.twins_of(cell)[..count].iter().enumerate() {
+                let mark = &mut marks[beyond.cell().index()];
+                room[found] = Met { slot: place * (D + 1) + corner, beyond };
+                found += usize::from(*mark == UNKNOWN);
+                *mark = (*mark).max(SPARED); // till it is dug
             }
-            met.keep(found);
-            let news = &met.as_slice()[asked..];
-            for (number, new) in (asked..).zip(news) {
-                digger.meet(number, new.apex);
-            }
-            for (place, &cell) in (explored..).zip(layer) {
-                digger.explore(place, cell);
-            }
-            explored = cells.len();
-            let room = cells.room(news.len(), seed);
-            let mut dug = 0;
-            for (number, &Met { slot, beyond, .. }) in (asked..).zip(news) {
-                let digs = digger.digs(number, (slot / (D + 1), slot % (D + 1)), beyond);
-                marks[beyond.cell().index()] = SPARED + u8::from(digs);
-                room[dug] = beyond.cell();
-                dug += usize::from(digs);
-            }
-            cells.keep(dug);
-            asked = met.len();
         }
+        met.keep(found);
+    }
+
+    /// Asks about the cells met from this number on.
+    #[inline(always)]
+    fn decide(&mut self, mesh: &Mesh<D>, asked: usize, digger: &mut impl Digger<D>) {
+        let Self { cells, met, numbers, marks, .. } = self;
+        let news = &met.as_slice()[asked..];
+        for (number, new) in (asked..).zip(news) {
+            digger.meet(number, mesh.apex(new.beyond));
+        }
+        let marks = marks.as_mut_slice();
+        let room = cells.room(news.len(), CellId::new(0));
+        let numbers_room = &mut numbers.room(news.len(), 0)[..room.len()];
+        let mut dug = 0;
+        for (number, &Met { slot, beyond }) in (asked..).zip(news) {
+            let digs = digger.digs(number, (slot / (D + 1), slot % (D + 1)), beyond);
+            marks[beyond.cell().index()] = SPARED + u8::from(digs);
+            room[dug] = beyond.cell();
+            numbers_room[dug] = number;
+            dug += usize::from(digs);
+        }
+        cells.keep(dug);
+        numbers.keep(dug);
     }
 
     /// Lists the facets between cells dug and others.
     #[inline(always)]
     fn find_rim(&mut self, mesh: &Mesh<D>, count: usize) {
         let Self { cells, rim, marks, .. } = self;
-        let room = rim.room(cells.len() * count, FacetId::from_index(0));
+        let filler = Inside { facet: FacetId::from_index(0), place: 0 };
+        let (room, marks) = (rim.room(cells.len() * count, filler), marks.as_slice());
         let mut found = 0;
-        for &cell in cells.as_slice() {
+        for (place, &cell) in (0u32..).zip(cells.as_slice()) {
             let first = FacetId::new(cell, 0);
             for (corner, beyond) in (0u32..).zip(&mesh.twins_of(cell)[..count]) {
-                room[found] = first.further(corner);
+                room[found] = Inside { facet: first.further(corner), place };
                 found += usize::from(marks[beyond.cell().index()] == SPARED); // Inv 2
             }
         }
@@ -169,15 +232,15 @@ impl<const D: usize> Cavity<D> {
 
     /// Makes ready for another cavity, in a mesh of `count` cells.
     fn forget(&mut self, count: usize) {
-        for seed in self.cells.as_slice().iter().take(1) {
-            self.marks[seed.index()] = UNKNOWN;
-        }
         for met in self.met.as_slice() {
             self.marks[met.beyond.cell().index()] = UNKNOWN;
         }
         self.cells.clear();
         self.met.clear();
+        self.numbers.clear();
         self.rim.clear();
+        self.called.clear();
+        self.names.forget();
         if self.marks.len() < count {
             self.marks.resize(count, UNKNOWN);
         }
@@ -198,8 +261,8 @@ impl<const D: usize> Cavity<D> {
 
     /// The rim facets, seen from inside.
     #[must_use]
-    pub fn rim(&self) -> &[FacetId<D>] {
-        self.rim.as_slice()
+    pub fn rim(&self) -> impl ExactSizeIterator<Item = FacetId<D>> + Clone {
+        self.rim.as_slice().iter().map(|inside| inside.facet)
     }
 }
 
@@ -209,7 +272,7 @@ impl<const D: usize> Mesh<D> {
     /// # Panics
     /// If the rim is empty.
     pub fn star(&mut self, cavity: &mut Cavity<D>, apex: VertexId) -> CellId {
-        let last = if D == 3 && self.corner_count() == 4 && cavity.rim.len() <= ridges::FACETS_MAX {
+        let last = if D == 3 && self.corner_count() == 4 && cavity.names.suffice() {
             self.star_by_names(cavity, apex)
         } else if self.corner_count() == D + 1 {
             // The usual case apart, so that the compiler knows how many corners a cell has.
@@ -229,7 +292,7 @@ impl<const D: usize> Mesh<D> {
         count: usize,
     ) -> Option<CellId> {
         let mut last = None;
-        for &inside in cavity.rim() {
+        for inside in cavity.rim() {
             let outside = self.twin(inside);
             let cell = self.claim_cell();
             let (old, slot) = (inside.cell().index() * (D + 1), cell.index() * (D + 1));
@@ -243,7 +306,7 @@ impl<const D: usize> Mesh<D> {
             self.twins[inside.index()] = new; // from here on, whoever leaves through the rim finds the new cell
             last = Some(new.cell());
         }
-        for &inside in cavity.rim() {
+        for inside in cavity.rim() {
             let new = self.twins[inside.index()].cell();
             for corner in (0..count).filter(|&corner| corner != inside.corner()) {
                 let facet = FacetId::new(new, corner);

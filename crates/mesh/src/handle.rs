@@ -1,25 +1,24 @@
-//! Handles: vertices, cells and facets, four bytes each, `Option` included.
+//! Handles: vertices, cells and facets, four bytes each: indices as they are, for they are looked up everywhere.
 
 use std::fmt;
-use std::num::NonZeroU32;
 
 /// A vertex: a site, a Steiner point, or [`VertexId::GHOST`].
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct VertexId(NonZeroU32);
+pub struct VertexId(u32);
 
 /// A cell: a simplex of the mesh's dimension, solid or ghost.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct CellId(NonZeroU32);
+pub struct CellId(u32);
 
 /// A facet of a cell, seen from that cell: `cell * (D + 1) + corner`, opposite the vertex at `corner`.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct FacetId<const D: usize>(NonZeroU32);
+pub struct FacetId<const D: usize>(u32);
 
-/// `index + 1`, which leaves zero to `Option`.
+/// The largest index but one belongs to the ghost.
 #[inline(always)]
-fn raw(index: usize) -> NonZeroU32 {
-    match u32::try_from(index + 1).map(NonZeroU32::new) {
-        Ok(Some(raw)) => raw,
+fn raw(index: usize) -> u32 {
+    match u32::try_from(index) {
+        Ok(raw) if raw != u32::MAX => raw,
         _ => overflow(),
     }
 }
@@ -36,33 +35,31 @@ macro_rules! index {
         #[inline]
         #[must_use]
         pub const fn index(self) -> usize {
-            self.0.get() as usize - 1
+            self.0 as usize
         }
     };
 }
 
 impl VertexId {
     /// The vertex at infinity. It sorts after all others.
-    pub const GHOST: Self = Self(NonZeroU32::MAX);
+    pub const GHOST: Self = Self(u32::MAX);
 
     /// The vertex of this index.
     ///
     /// # Panics
-    /// If the index is 2^32 - 2 or more.
+    /// If the index is 2^32 - 1 or more.
     #[inline]
     #[must_use]
     pub fn new(index: usize) -> Self {
-        let vertex = Self(raw(index));
-        assert!(vertex != Self::GHOST, "a vertex index is below 2^32 - 2");
-        vertex
+        Self(raw(index))
     }
 
     index!();
 
-    /// A place in a list by vertex in which the ghost's comes first: the index plus two, and 0.
+    /// A place in a list by vertex in which the ghost's comes first: the index plus one, and 0.
     #[inline(always)]
     pub(crate) const fn place(self) -> usize {
-        self.0.get().wrapping_add(1) as usize
+        self.0.wrapping_add(1) as usize
     }
 
     /// Whether this is the vertex at infinity.
@@ -91,6 +88,14 @@ impl CellId {
     index!();
 }
 
+/// Corners of a cell of D dimensions.
+#[expect(clippy::cast_possible_truncation, reason = "that it does not is asserted")]
+const fn corners<const D: usize>() -> u32 {
+    let corners = (D + 1) as u32;
+    assert!(corners as usize == D + 1, "dimensions are few");
+    corners
+}
+
 impl<const D: usize> FacetId<D> {
     /// The facet of `cell` opposite its `corner`.
     #[inline]
@@ -112,21 +117,21 @@ impl<const D: usize> FacetId<D> {
     /// The facet `corners` corners further on in the same cell, which must have so many.
     #[inline(always)]
     pub(crate) fn further(self, corners: u32) -> Self {
-        Self(self.0.saturating_add(corners))
+        Self(self.0 + corners)
     }
 
     /// The cell it is seen from.
     #[inline]
     #[must_use]
     pub fn cell(self) -> CellId {
-        CellId(raw(self.index() / (D + 1)))
+        CellId(self.0 / const { corners::<D>() })
     }
 
     /// The corner of that cell opposite the facet.
     #[inline]
     #[must_use]
     pub fn corner(self) -> usize {
-        self.index() % (D + 1)
+        (self.0 % const { corners::<D>() }) as usize
     }
 }
 

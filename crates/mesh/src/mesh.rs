@@ -224,6 +224,13 @@ impl<const D: usize> Mesh<D> {
         &self.twins[first..=first + D]
     }
 
+    /// The vertices of a cell, and what is in the slots that a mesh of lower dimension leaves.
+    #[inline(always)]
+    pub(crate) fn corners_of(&self, cell: CellId) -> &[VertexId] {
+        let first = cell.index() * (D + 1);
+        &self.vertices[first..=first + D]
+    }
+
     /// The vertex opposite a facet, in the facet's own cell.
     #[inline]
     #[must_use]

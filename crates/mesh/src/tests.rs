@@ -10,9 +10,9 @@ fn simplex<const D: usize>(k: usize) -> Mesh<D> {
 
 #[test]
 fn handles_take_four_bytes_and_print_short() {
-    assert_eq!(size_of::<Option<VertexId>>(), 4);
-    assert_eq!(size_of::<Option<CellId>>(), 4);
-    assert_eq!(size_of::<Option<FacetId<3>>>(), 4);
+    assert_eq!(size_of::<VertexId>(), 4);
+    assert_eq!(size_of::<CellId>(), 4);
+    assert_eq!(size_of::<FacetId<3>>(), 4);
     assert_eq!(format!("{:?} {:?}", v(17), CellId::new(4)), "v17 c4");
     assert_eq!(format!("{:?}", FacetId::<3>::new(CellId::new(4), 2)), "c4/2");
     assert!(v(1) < v(2) && v(2) < VertexId::GHOST);

@@ -40,7 +40,7 @@ impl<const D: usize> Mesh<D> {
         }
         rim.sort_unstable();
         assert_eq!(rim.len(), hole.rim().len(), "Invariant: the rims match");
-        for &inside in hole.rim() {
+        for inside in hole.rim() {
             let found = rim.binary_search_by(|(key, _)| key.cmp(&self.facet_key(inside)));
             let place = found.unwrap_or_else(|_| panic!("Invariant: the rims match at {inside:?}"));
             self.glue(rim[place].1, self.twin(inside));

@@ -314,22 +314,25 @@ impl<const D: usize, P: AsRef<[[f64; D]]>> Kernel<D> for Adaptive<P> {
     }
 
     #[inline(always)]
-    fn look<V: Id>(&self, outlook: &mut Outlook, cell: &[V], q: V) {
+    fn see<V: Id>(&self, sight: &mut Sight, vertex: V, q: V) {
         let at = |v| same(point(&self.points, v));
-        if let (true, &[a, b, c, d]) = (D == 3, cell) {
-            outlook.look([at(a), at(b), at(c), at(d)], at(q));
-        }
+        sight.see(at(vertex), at(q));
     }
 
     #[inline(always)]
-    fn see<V: Id>(&self, sight: &mut Sight, apex: V, q: V) {
-        let at = |v| same(point(&self.points, v));
-        sight.see(at(apex), at(q));
+    fn look(&self, outlook: &mut Outlook, corners: [&Sight; 4]) {
+        outlook.look(corners);
     }
 
     #[inline(always)]
-    fn lifted_beyond(&self, outlook: &Outlook, corner: usize, apex: &Sight) -> Option<Sign> {
-        outlook.beyond(corner, apex, self.bounds.lifted)
+    fn lifted_beyond(
+        &self,
+        outlook: &Outlook,
+        corner: usize,
+        end: &Sight,
+        apex: &Sight,
+    ) -> Option<Sign> {
+        outlook.beyond(corner, end, apex, self.bounds.lifted)
     }
 }
 

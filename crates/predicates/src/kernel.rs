@@ -99,23 +99,30 @@ pub trait Kernel<const D: usize> {
         perturb::tie(self, &all_axes::<D>(), simplex, q, Sign::Positive)
     }
 
-    /// Prepares for questions about the cells around a cell, positively oriented: whether `q` is in their spheres.
+    /// How `q` sees another vertex.
     #[inline(always)]
-    fn look<V: Id>(&self, outlook: &mut Outlook, cell: &[V], q: V) {
-        let _ = (outlook, cell, q);
+    fn see<V: Id>(&self, sight: &mut Sight, vertex: V, q: V) {
+        let _ = (sight, vertex, q);
     }
 
-    /// Prepares for questions about a cell around it, of which `apex` is the vertex off the facet between the two.
+    /// Prepares for questions about the cells around a cell, positively oriented, whose corners `q` sees so: whether `q` is in their
+    /// spheres.
     #[inline(always)]
-    fn see<V: Id>(&self, sight: &mut Sight, apex: V, q: V) {
-        let _ = (sight, apex, q);
+    fn look(&self, outlook: &mut Outlook, corners: [&Sight; 4]) {
+        let _ = (outlook, corners);
     }
 
-    /// [`Kernel::lifted`] of `q` and the cell beyond the facet opposite `corner` of the cell that `q` looked at; its apex is the vertex
-    /// that `q` sees so. `None` if that is to be asked the ordinary way.
+    /// [`Kernel::lifted`] of `q` and the cell beyond the facet opposite `corner` of the cell that `q` looked at; its apex is seen so, and
+    /// so is `end`, the cell's vertex at corner `corner ^ 1`. `None` if that is to be asked the ordinary way.
     #[inline(always)]
-    fn lifted_beyond(&self, outlook: &Outlook, corner: usize, apex: &Sight) -> Option<Sign> {
-        let _ = (outlook, corner, apex);
+    fn lifted_beyond(
+        &self,
+        outlook: &Outlook,
+        corner: usize,
+        end: &Sight,
+        apex: &Sight,
+    ) -> Option<Sign> {
+        let _ = (outlook, corner, end, apex);
         None
     }
 
@@ -203,18 +210,24 @@ impl<const D: usize, K: Kernel<D>> Kernel<D> for &K {
     }
 
     #[inline(always)]
-    fn look<V: Id>(&self, outlook: &mut Outlook, cell: &[V], q: V) {
-        (**self).look(outlook, cell, q);
+    fn see<V: Id>(&self, sight: &mut Sight, vertex: V, q: V) {
+        (**self).see(sight, vertex, q);
     }
 
     #[inline(always)]
-    fn see<V: Id>(&self, sight: &mut Sight, apex: V, q: V) {
-        (**self).see(sight, apex, q);
+    fn look(&self, outlook: &mut Outlook, corners: [&Sight; 4]) {
+        (**self).look(outlook, corners);
     }
 
     #[inline(always)]
-    fn lifted_beyond(&self, outlook: &Outlook, corner: usize, apex: &Sight) -> Option<Sign> {
-        (**self).lifted_beyond(outlook, corner, apex)
+    fn lifted_beyond(
+        &self,
+        outlook: &Outlook,
+        corner: usize,
+        end: &Sight,
+        apex: &Sight,
+    ) -> Option<Sign> {
+        (**self).lifted_beyond(outlook, corner, end, apex)
     }
 }
 

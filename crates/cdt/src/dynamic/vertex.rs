@@ -262,7 +262,7 @@ impl<K: PlaneKernel> Dynamic<'_, K> {
 
     /// What lies beyond a hole's rim, and whether it is constrained.
     fn outside(&self, hole: &Cavity<2>) -> Vec<(HalfEdge, bool)> {
-        let twins = hole.rim().iter().map(|&inside| self.flips.mesh.twin(inside));
+        let twins = hole.rim().map(|inside| self.flips.mesh.twin(inside));
         twins.map(|h| (h, self.flips.constrained[h.index()])).collect()
     }
 

@@ -84,7 +84,7 @@ impl<const D: usize, K: Kernel<D>> Dynamic<D, K> {
             neighbours(&self.mesh, &self.cavity).into_iter().map(id_of).collect();
         if span(&self.kernel, &around).axes.len() < D {
             // A solid facet of the link spans that hyperplane, so the apex beyond is off it.
-            let beyond = self.cavity.rim().iter().map(|&facet| self.mesh.twin(facet));
+            let beyond = self.cavity.rim().map(|facet| self.mesh.twin(facet));
             let solid = beyond.into_iter().find(|facet| !self.mesh.is_ghost(facet.cell()))?;
             around.push(id_of(self.mesh.apex(solid)));
         }

@@ -35,6 +35,13 @@ impl<T: Copy> Pile<T> {
         self.len += count;
     }
 
+    /// Adds an item.
+    #[inline(always)]
+    pub(super) fn push(&mut self, item: T) {
+        self.room(1, item)[0] = item;
+        self.keep(1);
+    }
+
     #[cold]
     #[inline(never)]
     fn grow(&mut self, end: usize, filler: T) {

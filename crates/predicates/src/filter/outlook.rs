@@ -13,12 +13,11 @@
 use super::{Bounds, GUARD, IN_SPHERE};
 use crate::Sign;
 
-/// The sphere tests beyond the facets of one cell, as prepared by [`crate::Kernel::look`].
+/// What the sphere tests beyond the facets of one cell have in common, as prepared by [`crate::Kernel::look`].
 ///
 /// By default nothing is seen, and all is uncertain.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct Outlook {
-    rows: [Row; 4],
     /// The minors of rows 2 and 3, then of rows 0 and 1.
     pairs: [Minors; 2],
 }
@@ -91,29 +90,35 @@ impl Sight {
 
 impl Default for Outlook {
     fn default() -> Self {
-        Self { rows: [[NOTHING; 2]; 4], pairs: [[NOTHING; 3]; 2] }
+        Self { pairs: [[NOTHING; 3]; 2] }
     }
 }
 
 impl Outlook {
-    /// What `from` sees of a cell.
+    /// A cell whose corners are seen so.
     #[inline(always)]
-    pub(crate) fn look(&mut self, corners: [&[f64; 3]; 4], from: &[f64; 3]) {
-        self.rows = corners.map(|point| row(point, from));
-        let [a, b, c, d] = self.rows;
-        self.pairs = [minors(c, d), minors(a, b)];
+    pub(crate) fn look(&mut self, [a, b, c, d]: [&Sight; 4]) {
+        self.pairs = [minors(c.0, d.0), minors(a.0, b.0)];
     }
 
-    /// The in-sphere test of `from` and the cell beyond the facet opposite `corner`, whose apex is seen so; `bound` is that of all
-    /// tests.
+    /// The in-sphere test of the cell beyond the facet opposite `corner`, whose apex is seen so; `end` is the row of corner `corner ^ 1`,
+    /// `bound` that of all tests.
     #[inline(always)]
-    pub(crate) fn beyond(&self, corner: usize, apex: &Sight, bound: f64) -> Option<Sign> {
-        let ends = minors(self.rows[(corner ^ 1) % 4], apex.0);
-        let value = determinant(ends, self.pairs[corner / 2 % 2]);
-        let value = value * [-1.0, 1.0][corner % 2];
+    pub(crate) fn beyond(
+        &self,
+        corner: usize,
+        end: &Sight,
+        apex: &Sight,
+        bound: f64,
+    ) -> Option<Sign> {
+        let value = determinant(minors(end.0, apex.0), self.pairs[corner / 2 % 2]);
+        let value = value * TURNS[corner % 2];
         (value.abs() > bound).then(|| Sign::of(value))
     }
 }
+
+/// Whether the rows in their order turn the right way, by the parity of the corner that is replaced.
+static TURNS: [f64; 2] = [-1.0, 1.0];
 
 impl Bounds {
     /// The bound of [`Outlook::beyond`] where differences are at most these.

@@ -10,22 +10,35 @@ fn numbers() -> impl FnMut() -> f64 {
     }
 }
 
+fn sight(kernel: &impl Kernel<3>, vertex: usize, q: usize) -> Sight {
+    let mut sight = Sight::default();
+    kernel.see(&mut sight, vertex, q);
+    sight
+}
+
+fn outlook(kernel: &impl Kernel<3>, [a, b, c, d]: &[Sight; 4]) -> Outlook {
+    let mut outlook = Outlook::default();
+    kernel.look(&mut outlook, [a, b, c, d]);
+    outlook
+}
+
 /// Whether the tests beyond all facets of some cells are right where they are sure: how many are, and how many there are.
 fn sure(points: &[[f64; 3]]) -> (usize, usize) {
     let (kernel, exact) = (Adaptive::new(points), Exact::new(points));
-    let (mut outlook, mut sight) = (Outlook::default(), Sight::default());
     let (mut sure, mut all) = (0, 0);
     for six in 0..points.len() / 6 {
         let ids: [usize; 6] = std::array::from_fn(|i| 6 * six + i);
         let (cell, apex, q) = ([ids[0], ids[1], ids[2], ids[3]], ids[4], ids[5]);
-        kernel.look(&mut outlook, &cell, q);
-        kernel.see(&mut sight, apex, q);
+        let rows = cell.map(|corner| sight(&kernel, corner, q));
+        let outlook = outlook(&kernel, &rows);
         for corner in 0..4 {
             all += 1;
             let mut beyond = cell;
             beyond[corner] = apex;
             beyond.swap(0, 1); // the apex is on the other side: so it is the cell beyond that turns the right way
-            if let Some(sign) = Kernel::<3>::lifted_beyond(&kernel, &outlook, corner, &sight) {
+            if let Some(sign) =
+                kernel.lifted_beyond(&outlook, corner, &rows[corner ^ 1], &sight(&kernel, apex, q))
+            {
                 assert_eq!(sign, exact.lifted(&beyond, q), "corner {corner} of {six}");
                 sure += 1;
             }
@@ -71,14 +84,15 @@ fn on_a_small_lattice_tests_beyond_facets_are_all_sure() {
 
 #[test]
 fn what_is_not_seen_decides_nothing() {
-    let points = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 1.0, 1.0]];
+    let ends = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let points: Vec<_> = ends.into_iter().chain([[1.0; 3], [9.0; 3]]).collect();
     let kernel = Adaptive::new(points); // exact, so that any number would decide
-    let (mut outlook, mut sight) = (Outlook::default(), Sight::default());
-    let ask =
-        |outlook: &Outlook, sight: &Sight| Kernel::<3>::lifted_beyond(&kernel, outlook, 0, sight);
-    assert_eq!(ask(&outlook, &sight), None);
-    kernel.see(&mut sight, 4usize, 0);
-    assert_eq!(ask(&outlook, &sight), None);
-    kernel.look(&mut outlook, &[0usize, 1, 2, 3], 4);
-    assert_eq!(ask(&outlook, &Sight::default()), None);
+    let seen = [0, 1, 2, 3, 4].map(|vertex| sight(&kernel, vertex, 5));
+    let (open, blind) =
+        (outlook(&kernel, &[seen[0], seen[1], seen[2], seen[3]]), Outlook::default());
+    let ask = |outlook, end, apex| Kernel::<3>::lifted_beyond(&kernel, outlook, 0, end, apex);
+    assert_eq!(ask(&open, &seen[1], &seen[4]), Some(Sign::Negative)); // far outside of both spheres
+    assert_eq!(ask(&blind, &seen[1], &seen[4]), None);
+    assert_eq!(ask(&open, &Sight::default(), &seen[4]), None);
+    assert_eq!(ask(&open, &seen[1], &Sight::default()), None);
 }
