@@ -88,11 +88,11 @@ fn what_is_not_seen_decides_nothing() {
     let points: Vec<_> = ends.into_iter().chain([[1.0; 3], [9.0; 3]]).collect();
     let kernel = Adaptive::new(points); // exact, so that any number would decide
     let seen = [0, 1, 2, 3, 4].map(|vertex| sight(&kernel, vertex, 5));
-    let (open, blind) =
-        (outlook(&kernel, &[seen[0], seen[1], seen[2], seen[3]]), Outlook::default());
+    let open = outlook(&kernel, &[seen[0], seen[1], seen[2], seen[3]]);
+    let (blind, dark) = (Outlook::default(), Sight::default());
     let ask = |outlook, end, apex| Kernel::<3>::lifted_beyond(&kernel, outlook, 0, end, apex);
     assert_eq!(ask(&open, &seen[1], &seen[4]), Some(Sign::Negative)); // far outside of both spheres
     assert_eq!(ask(&blind, &seen[1], &seen[4]), None);
-    assert_eq!(ask(&open, &Sight::default(), &seen[4]), None);
-    assert_eq!(ask(&open, &seen[1], &Sight::default()), None);
+    assert_eq!(ask(&open, &dark, &seen[4]), None);
+    assert_eq!(ask(&open, &seen[1], &dark), None);
 }
