@@ -7,6 +7,28 @@ pub(crate) fn narrow(index: usize) -> u32 {
         .expect("there are fewer than 2^32 simplices, and facets of those of one dimension")
 }
 
+/// Sorts numbers by their high halves, keeping the order of equal ones; returns the low halves. By digits, the lowest first.
+pub(crate) fn sort_by_high_half(mut items: Vec<u64>) -> Vec<u32> {
+    const BITS: u32 = 11;
+    const MASK: u64 = (1 << BITS) - 1;
+    let mut spare = vec![0; items.len()];
+    for shift in [32, 32 + BITS, 32 + 2 * BITS] {
+        let digit = |item: u64| (item >> shift & MASK) as usize;
+        let mut next = vec![0u32; 1 << BITS];
+        items.iter().for_each(|&item| next[digit(item)] += 1);
+        let mut sum = 0;
+        next.iter_mut().for_each(|slot| sum += std::mem::replace(slot, sum));
+        for &item in &items {
+            let slot = &mut next[digit(item)];
+            spare[*slot as usize] = item;
+            *slot += 1;
+        }
+        std::mem::swap(&mut items, &mut spare);
+    }
+    let low_half = |item: u64| u32::try_from(item & u64::from(u32::MAX)).expect("32 bits");
+    items.iter().map(|&item| low_half(item)).collect()
+}
+
 /// Lists, one for each number below a count, in one array.
 #[derive(Clone, Debug)]
 pub(crate) struct Lists {

@@ -22,16 +22,17 @@
 //! | all sites in a flat | spheres within the flat | `sites_in_a_flat_have_the_values_of_the_flat` |
 //! | a squared radius over the largest double | compared all the same | `scaling_keeps_the_order_at_both_ends_of_the_range` |
 
-use std::cmp::Ordering;
-
 use delone_delaunay::{Delaunay, Regular};
 use delone_mesh::Mesh;
-use delone_predicates::{Adaptive, Metric, Sign, SquaredRadius, Weighted};
+use delone_predicates::{Adaptive, Metric, SquaredRadius, Weighted};
 use delone_sites::{Sites, WeightedSites};
 
 use crate::bulk::{Lists, narrow};
-use crate::geometry::{Geometry, Measured, Site, named};
+use crate::geometry::Geometry;
 use crate::{SimplexId, Simplices};
+use ranks::Measures;
+
+mod ranks;
 
 /// A filtration of a Delaunay or regular triangulation. See the module's text.
 ///
@@ -156,100 +157,29 @@ fn build<const D: usize, K: Metric<D>>(
     wrap: impl Fn(K) -> Geometry<D>,
 ) -> AlphaFiltration<D> {
     let simplices = Simplices::of(mesh);
-    let attached = attached(&simplices, &kernel, has_weights);
-    let (mut ranks, spectrum) = own_ranks(&simplices, &kernel, &attached);
-    let owners = inherit(&simplices, &attached, &mut ranks);
+    let measures = Measures::of(&simplices, &kernel, has_weights);
+    let (mut ranks, spectrum) = measures.ranks(&simplices, &kernel);
+    let owners = inherit(&simplices, &mut ranks);
     AlphaFiltration { simplices, geometry: wrap(kernel), ranks, owners, spectrum }
 }
 
-/// For each simplex, whether a vertex of a coface is inside its smallest sphere.
-fn attached<const D: usize>(
-    simplices: &Simplices,
-    kernel: &impl Metric<D>,
-    has_weights: bool,
-) -> Vec<bool> {
-    let mut attached = vec![false; simplices.len()];
-    let least = if has_weights { 1 } else { 2 }; // equal weights leave every vertex its own
-    for k in least..=simplices.dimension().unwrap_or(0) {
-        for (_, vertices, facets) in simplices.level(k) {
-            let mut buffer = [Site(0); 8];
-            let last = named(vertices, &mut buffer).len() - 1;
-            // Each vertex in turn stands last, the others before it in their order.
-            for corner in (0..=last).rev() {
-                buffer[corner..=last].rotate_left(1);
-                let is_attached = &mut attached[facets[corner] as usize];
-                if !*is_attached {
-                    let inside = kernel.in_smallest_sphere(&buffer[..last], buffer[last]);
-                    *is_attached = inside == Sign::Positive;
-                }
-                buffer[corner..=last].rotate_right(1);
-            }
-        }
-    }
-    attached
-}
-
-/// The ranks of the simplices that are not attached, and a simplex for each rank.
-fn own_ranks<const D: usize>(
-    simplices: &Simplices,
-    kernel: &impl Metric<D>,
-    attached: &[bool],
-) -> (Vec<u32>, Vec<u32>) {
-    let own = attached.iter().filter(|&&is_attached| !is_attached).count();
-    let mut measured = Vec::with_capacity(own);
-    for k in 0..simplices.dimension().map_or(0, |top| top + 1) {
-        for (id, vertices, _) in simplices.level(k).filter(|&(id, ..)| !attached[id]) {
-            let mut buffer = [Site(0); 8];
-            measured.push(Measured::new(kernel, narrow(id), named(vertices, &mut buffer)));
-        }
-    }
-    let compare = |a: &Measured, b: &Measured| {
-        a.order(b).unwrap_or_else(|| {
-            let simplex = |m: &Measured| simplices.vertices(SimplexId::new(m.simplex as usize));
-            let (mut of_a, mut of_b) = ([Site(0); 8], [Site(0); 8]);
-            kernel.compare_radii(named(simplex(a), &mut of_a), named(simplex(b), &mut of_b))
-        })
-    };
-    // By lower bounds, without a branch; then where bounds overlap, in truth.
-    measured.sort_unstable_by(|a, b| a.bounds[0].total_cmp(&b.bounds[0]));
-    let (mut ranks, mut spectrum) = (vec![u32::MAX; attached.len()], Vec::new());
-    let mut rest = &mut measured[..];
-    while !rest.is_empty() {
-        let (cluster, others) = rest.split_at_mut(overlapping(rest));
-        cluster.sort_unstable_by(compare);
-        for equal in cluster.chunk_by(|a, b| compare(a, b) == Ordering::Equal) {
-            let rank = narrow(spectrum.len());
-            equal.iter().for_each(|m| ranks[m.simplex as usize] = rank);
-            spectrum.extend(equal.iter().map(|m| m.simplex).min());
-        }
-        rest = others;
-    }
-    (ranks, spectrum)
-}
-
-/// How many of the first, in order of lower bounds, are joined by overlaps of bounds: at least one, and all others are greater.
-fn overlapping(measured: &[Measured]) -> usize {
-    let mut reach = f64::NEG_INFINITY;
-    let joined = measured.iter().enumerate().take_while(|&(i, m)| {
-        let is_joined = i == 0 || m.bounds[0] <= reach;
-        reach = reach.max(m.bounds[1]);
-        is_joined
-    });
-    joined.count()
-}
-
-/// Gives the attached simplices the least rank of their cofaces; for each simplex, whose sphere gives its value.
-fn inherit(simplices: &Simplices, attached: &[bool], ranks: &mut [u32]) -> Vec<u32> {
+/// Gives the attached simplices, which have no rank yet, the least one of their cofaces; for each simplex, whose sphere gives its
+/// value. All others have a lower rank than their cofaces, or the same (Inv 1).
+fn inherit(simplices: &Simplices, ranks: &mut [u32]) -> Vec<u32> {
     let mut owners: Vec<u32> = (0..narrow(simplices.len())).collect();
     for k in (1..=simplices.dimension().unwrap_or(0)).rev() {
         for (id, _, facets) in simplices.level(k) {
-            debug_assert!(ranks[id] != u32::MAX, "what is attached has a coface");
+            let (rank, owner) = (ranks[id], owners[id]);
+            debug_assert!(rank != u32::MAX, "what is attached has a coface");
             for facet in facets.iter().map(|&facet| facet as usize) {
-                if attached[facet] && ranks[id] < ranks[facet] {
-                    ranks[facet] = ranks[id];
-                    owners[facet] = owners[id];
+                if rank < ranks[facet] {
+                    debug_assert!(
+                        ranks[facet] == u32::MAX || owners[facet] as usize != facet,
+                        "Inv 1"
+                    );
+                    ranks[facet] = rank;
+                    owners[facet] = owner;
                 }
-                debug_assert!(ranks[facet] <= ranks[id], "Inv 1");
             }
         }
     }

@@ -69,13 +69,15 @@ pub(crate) struct Measured {
 }
 
 impl Measured {
-    /// The simplex with bounds that differ in the last digits only.
+    /// The simplex with bounds that differ in the last digits only, these ones if they do.
+    #[inline]
     pub(crate) fn new<const D: usize>(
         kernel: &impl Metric<D>,
         simplex: u32,
         vertices: &[Site],
+        bounds: Option<[f64; 2]>,
     ) -> Self {
-        let bounds = kernel.radius_bounds(vertices);
+        let bounds = bounds.unwrap_or_else(|| kernel.radius_bounds(vertices));
         let [low, high] = bounds;
         let is_narrow = high - low <= 1e-6 * high.abs().min(low.abs()); // a matter of time, not of truth
         if is_narrow {
@@ -84,6 +86,14 @@ impl Measured {
         let nearest = kernel.squared_radius(vertices);
         let below = if nearest == f64::INFINITY { f64::MAX } else { nearest.next_down() };
         Self { bounds: [below, nearest.next_up()], simplex }
+    }
+
+    /// The lower bound as a number of the same order.
+    #[inline]
+    pub(crate) fn image(&self) -> u64 {
+        const SIGN: u64 = 1 << 63;
+        let bits = self.bounds[0].to_bits();
+        if bits & SIGN == 0 { bits | SIGN } else { !bits }
     }
 
     /// The order of two radii, if the bounds tell it.

@@ -76,7 +76,7 @@ pub use dyadic::Dyadic;
 pub use exact_over::ExactOver;
 pub use filter::outlook::{Outlook, Sight};
 pub use kernel::{Id, Kernel, PlaneKernel, all_axes};
-pub use metric::{Metric, SquaredRadius};
+pub use metric::{Circumball, Metric, SquaredRadius};
 pub use naive::Naive;
 pub use projected::Projected;
 pub use ring::{Homogeneous, Ring};

@@ -30,11 +30,12 @@ use ball::{InBall, Weights};
 use formulas::{Angles, Dot, Lengths, Radius, RadiusOver};
 
 pub use ball::SquaredRadius;
+pub use circumball::Circumball;
 pub(crate) use formulas::Radii;
 
 mod ball;
+mod circumball;
 mod formulas;
-mod quick;
 #[cfg(test)]
 mod tests;
 mod words;
@@ -129,15 +130,30 @@ pub trait Metric<const D: usize>: Kernel<D> {
         SquaredRadius::new(numerator, denominator)
     }
 
+    /// What doubles tell of a simplex with at most four vertices, which are plain points of at most three axes; for all its facets at
+    /// once.
+    ///
+    /// ```
+    /// use delone_predicates::{Adaptive, Metric, Sign};
+    /// let kernel = Adaptive::new([[0.0, 0.0], [8.0, 0.0], [4.0, 1.0]]);
+    /// let ball = kernel.circumball(&[0usize, 1, 2]).unwrap();
+    /// assert_eq!(ball.inside[2], Some(Sign::Positive)); // an obtuse angle
+    /// assert!(ball.squared_radius[0] <= 72.25 && 72.25 <= ball.squared_radius[1]);
+    /// ```
+    #[inline]
+    fn circumball<V: Id>(&self, simplex: &[V]) -> Option<Circumball> {
+        with_plain(self, simplex.iter().copied(), circumball::circumball).flatten()
+    }
+
     /// Two doubles that the squared radius of a simplex is between; infinite where nothing is known.
     ///
     /// # Panics
     /// If the simplex has no vertices.
     fn radius_bounds<V: Id>(&self, simplex: &[V]) -> [f64; 2] {
-        let vertices = simplex.iter().copied();
-        if let Some(bounds) = with_plain(self, vertices.clone(), quick::bounds).flatten() {
-            return bounds;
+        if let Some(ball) = self.circumball(simplex) {
+            return ball.squared_radius;
         }
+        let vertices = simplex.iter().copied();
         let points: SmallVec<[_; 4]> =
             vertices.clone().map(|v| self.approximate_point(v)).collect();
         let weights: Weights<_> = weights(self, vertices).map(Approximate::exact).collect();
@@ -153,7 +169,8 @@ pub trait Metric<const D: usize>: Kernel<D> {
     fn in_smallest_sphere<V: Id>(&self, simplex: &[V], q: V) -> Sign {
         assert!(!simplex.is_empty(), "a simplex has a vertex");
         let vertices = simplex.iter().copied().chain([q]);
-        if let Some(sign) = with_plain(self, vertices.clone(), quick::in_ball).flatten() {
+        let of_all = with_plain(self, vertices.clone(), circumball::circumball).flatten();
+        if let Some(sign) = of_all.and_then(|ball| *ball.inside.get(simplex.len())?) {
             return sign;
         }
         decided(self, &InBall, vertices.clone(), weights(self, vertices))

@@ -265,3 +265,47 @@ fn in_smallest_sphere_is_exact_near_the_sphere() {
         );
     }
 }
+
+/// Which corners are inside the smallest spheres through the others, and the radius: against exact answers, with points near
+/// a flat and near right angles among them, at both ends of the range and outside.
+#[test]
+fn circumballs_agree_with_exact_answers() {
+    let (mut state, mut told, mut asked) = (23, 0, 0);
+    for round in 0..3000 {
+        let bits = [3, 20, 53][round % 3];
+        let unit = [1.0, 2f64.powi(-118), 2f64.powi(45), 2f64.powi(-600)][round / 3 % 4];
+        let mut points: [[f64; 3]; 4] =
+            std::array::from_fn(|_| [0; 3].map(|_| whole(&mut state, bits) * unit));
+        if round % 5 == 0 {
+            let flat: [f64; 3] =
+                std::array::from_fn(|x| points[0][x] + points[1][x] - points[2][x]);
+            points[3] = [flat[0], flat[1], flat[2].next_up()];
+        }
+        let plane = points.map(|[x, y, _]| [x, y]);
+        let counts = [agree(&points, 4), agree(&points, 3), agree(&plane, 3)];
+        told += counts.iter().map(|count| count[0]).sum::<usize>();
+        asked += counts.iter().map(|count| count[1]).sum::<usize>();
+    }
+    assert!(told * 10 > asked * 6, "{told} of {asked}");
+}
+
+/// How many corners of the first `count` points doubles told of, and of how many they were asked.
+fn agree<const D: usize>(points: &[[f64; D]; 4], count: usize) -> [usize; 2] {
+    let (kernel, exact) = (Adaptive::new(points), Exact::new(points));
+    let simplex = &[0usize, 1, 2, 3][..count];
+    let Some(ball) = kernel.circumball(simplex) else { return [0, count] };
+    let radius = kernel.exact_squared_radius(simplex);
+    let bound = |x: f64| SquaredRadius::new(Dyadic::from(x), Dyadic::from(1));
+    let [low, high] = ball.squared_radius;
+    assert!(!low.is_finite() || bound(low) <= radius, "{points:?}");
+    assert!(!high.is_finite() || radius <= bound(high), "{points:?}");
+    let mut told = 0;
+    for (corner, inside) in ball.inside.iter().enumerate() {
+        let Some(sign) = *inside else { continue };
+        let others: Vec<usize> = simplex.iter().copied().filter(|&i| i != corner).collect();
+        let is_flat = exact.squared_radius(&others) == f64::INFINITY;
+        assert!(is_flat || exact.in_smallest_sphere(&others, corner) == sign, "{points:?}");
+        told += 1;
+    }
+    [told, count]
+}
