@@ -12,16 +12,23 @@ use super::queue::Urgency;
 use super::{Centre, RefineOptions, SizeField};
 use crate::apexes::Apexes;
 use crate::live::{Live, Steiner, id};
-use crate::split::squared_radius;
+use crate::parameter::Parameter;
+use crate::split::{radius, squared_radius};
 
 /// Relative, of a dozen roundings.
 const ROUNDING: f64 = 1e-14;
 
-/// Bits up to which radii are equal that are so but for the precision of parameters.
-const EQUAL_BITS: i64 = 40;
+/// What is further off than this is off for certain, if edges are not too short.
+const CLEAR: f64 = 1e-6;
 
-/// More than the relative difference of radii that agree in so many bits.
-const NEARLY: f64 = 1e-11;
+/// Bits up to which squared radii are equal that are so but for the precision of parameters ([`crate::apexes`]).
+const EQUAL_BITS: u32 = 26;
+
+/// The same as a part of a squared radius.
+const EQUAL: f64 = 1.0 / (1u64 << EQUAL_BITS) as f64;
+
+/// More than the relative difference of squared radii that agree in so many bits.
+const NEARLY: f64 = 2.0 * EQUAL;
 
 /// What is wrong with a triangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,6 +49,8 @@ pub(super) struct Quality<'a> {
     size: Option<SizeField<'a>>,
     /// By how much rounded positions put off products of edges, relative, and times the shortest edge.
     rounding: f64,
+    /// The square of the shortest edge at which that is less than half of what is clear.
+    clear_from: f64,
 }
 
 impl<'a> Quality<'a> {
@@ -49,6 +58,7 @@ impl<'a> Quality<'a> {
     pub(super) fn new(options: &RefineOptions<'a>, far: f64) -> Self {
         let angle = options.angle_deg_min.clamp(0.0, 60.0).to_radians();
         let cosine_square = options.cosine_square();
+        let rounding = 32.0 * f64::EPSILON * far;
         let double = (2.0 * cosine_square - 1.0).max(0.0);
         Self {
             centre: options.centre,
@@ -57,7 +67,8 @@ impl<'a> Quality<'a> {
             cotangent: 1.0 / (angle / 2.0).tan(),
             area_max: options.area_max,
             size: options.size,
-            rounding: 32.0 * f64::EPSILON * far,
+            rounding,
+            clear_from: (rounding / (0.5 * CLEAR)).powi(2),
         }
     }
 
@@ -76,7 +87,20 @@ impl<'a> Quality<'a> {
     }
 
     /// Whether the least angle is less than the bound.
+    #[inline]
     fn is_skinny(&self, shape: &Shape, live: &Live, corners: [VertexId; 3]) -> bool {
+        let &Shape { uv, squares, .. } = shape;
+        let (left, right) = (uv * uv, self.cosine_square * squares);
+        // Far from the bound, and of edges long enough.
+        let is_far = (left - right).abs() > CLEAR * squares && right.is_normal();
+        if is_far && shape.shortest > self.clear_from {
+            return left > right && uv > 0.0;
+        }
+        self.is_nearly_skinny(shape, live, corners)
+    }
+
+    #[inline(never)]
+    fn is_nearly_skinny(&self, shape: &Shape, live: &Live, corners: [VertexId; 3]) -> bool {
         let &Shape { uv, squares, .. } = shape;
         let (left, right) = (uv * uv, self.cosine_square * squares);
         let is_clear = |slack: f64| {
@@ -149,10 +173,15 @@ impl<'a> Quality<'a> {
                 if apexes.bits(r).is_none() || !may_be_as_far(live, r, [p, q]) {
                     return false;
                 }
-                let lengths = [p, q].map(|v| {
-                    live.segment_between([r, v]).map(|segment| live.squared_length(segment))
-                });
-                matches!(&lengths, [Some(of_p), Some(of_q)] if nearly_equal(of_p, of_q))
+                let segments = [p, q].map(|v| live.segment_between([r, v]));
+                let [Some(of_p), Some(of_q)] = segments else { return false };
+                match [of_p, of_q].map(|segment| live.length(segment)) {
+                    [Some(of_p), Some(of_q)] => is_nearly(of_p, of_q),
+                    _ => {
+                        let [of_p, of_q] = [of_p, of_q].map(|s| live.squared_length(s));
+                        nearly_equal(&of_p, &of_q)
+                    }
+                }
             }
             _ => false,
         }
@@ -201,7 +230,7 @@ impl Shape {
 fn meet(
     live: &Live,
     apexes: &Apexes,
-    (segment, p, t): (u32, VertexId, &Dyadic),
+    (segment, p, t): (u32, VertexId, &Parameter),
     v: VertexId,
 ) -> bool {
     [0, 1].into_iter().any(|end| {
@@ -209,8 +238,12 @@ fn meet(
         if apexes.bits(apex).is_none() || !may_be_as_far(live, apex, [p, v]) {
             return false;
         }
+        if let (Some(other), Some(length)) = (radius(live, segment, apex, v), live.length(segment))
+        {
+            return is_nearly(t.from_end(end) * length, other);
+        }
         let Some(other) = squared_radius(live, segment, apex, v) else { return false };
-        let t = if end == 0 { t.clone() } else { Dyadic::from(1) - t };
+        let t = t.exact_from_end(end);
         nearly_equal(&(&(&t * &t) * &live.squared_length(segment)), &other)
     })
 }
@@ -227,11 +260,16 @@ fn may_be_as_far(live: &Live, z: VertexId, vertices: [VertexId; 2]) -> bool {
     !((to_p - to_q).abs() > slack * less.max(f64::MIN_POSITIVE) && slack < 0.01 && far < 1e150)
 }
 
-/// Whether two squared radii are one up to the precision of parameters.
+/// Whether two radii, each off by a few roundings, are one up to the precision of parameters.
+fn is_nearly(a: f64, b: f64) -> bool {
+    (a - b).abs() < 0.5 * EQUAL * a
+}
+
+/// The same of exact squares.
 fn nearly_equal(a: &Dyadic, b: &Dyadic) -> bool {
     let difference = a.clone() - b;
     match (difference.magnitude(), a.magnitude()) {
-        (Some(off), Some(of)) => off < of - EQUAL_BITS,
+        (Some(off), Some(of)) => off < of - i64::from(EQUAL_BITS),
         _ => true,
     }
 }
