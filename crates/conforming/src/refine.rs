@@ -33,6 +33,7 @@ mod centre;
 mod quality;
 mod queue;
 mod result;
+mod shells;
 
 use std::collections::VecDeque;
 
@@ -48,6 +49,7 @@ use crate::live::{Live, PieceId, Place, Region, Steiner};
 use crate::split::{Placement, encroachers, parameter};
 use quality::{Flaw, Quality};
 use queue::Queue;
+use shells::subtends_input_angle;
 
 pub use result::{LeftAlone, Reason, Refined};
 
@@ -238,9 +240,7 @@ impl Work<'_> {
         }
         let corners = corners(&self.live, cell);
         let Some((flaw, urgency)) = self.quality.flaw(&self.live, corners) else { return };
-        if flaw == Flaw::Skinny
-            && self.quality.subtends_input_angle(&self.live, &self.apexes, corners)
-        {
+        if flaw == Flaw::Skinny && subtends_input_angle(&self.live, &self.apexes, corners) {
             return self.left_alone.push((cell, corners, Reason::InputAngle));
         }
         self.triangles.push(urgency, cell, corners);

@@ -21,7 +21,9 @@
 //! gets arbitrarily short, each split makes one more, and their lengths add up to a constant.
 //!
 //! **Precision.** Radii are irrational fractions of a segment: equal ones are equal up to the bits that the apex asks for
-//! ([`crate::apexes`]), and the lemma holds for them.
+//! ([`crate::apexes`]), and the lemma holds for them. Where doubles have these bits, parameters are doubles (`split/doubles.rs`): a third, a
+//! half and a quarter above are so up to 2^-12 or better of the piece, which the proof has room for, its "a third" being anything
+//! more than a quarter. Else they are as long as the apex asks for.
 //!
 //! **Degeneracies.**
 //! | case | answer | test |

@@ -23,7 +23,7 @@ impl Probe for Deadline {
 }
 
 /// Vertices beyond which no result is judged if it is none of a method that is done: its numbers are as long as its gaps are small.
-pub(crate) const JUDGED_MAX: usize = 20_000;
+pub(crate) const JUDGED_MAX: usize = 2_000;
 
 /// Seconds for one run on one input.
 pub(crate) fn seconds() -> u64 {

@@ -62,7 +62,8 @@ impl Table {
     fn take(&mut self, case: &Case<2>) {
         let Some(pslg) = case.try_pslg() else { return };
         let Some((refined, seconds, options)) = self.refined(&pslg) else { return };
-        let name = format!("{} ({} sites)", case.name, pslg.sites().len());
+        let short = case.name.rsplit("pslg/").next().unwrap_or(&case.name);
+        let name = format!("{short} ({} sites)", pslg.sites().len());
         let ours = refined.triangulation().kernel().len();
         if !refined.is_complete() {
             return self.partial.push(name);

@@ -10,25 +10,13 @@ use delone_predicates::{Dyadic, Sign};
 use super::centre::centre;
 use super::queue::Urgency;
 use super::{Centre, RefineOptions, SizeField};
-use crate::apexes::Apexes;
-use crate::live::{Live, Steiner, id};
-use crate::parameter::Parameter;
-use crate::split::{radius, squared_radius};
+use crate::live::{Live, id};
 
 /// Relative, of a dozen roundings.
-const ROUNDING: f64 = 1e-14;
+pub(super) const ROUNDING: f64 = 1e-14;
 
 /// What is further off than this is off for certain, if edges are not too short.
 const CLEAR: f64 = 1e-6;
-
-/// Bits up to which squared radii are equal that are so but for the precision of parameters ([`crate::apexes`]).
-const EQUAL_BITS: u32 = 26;
-
-/// The same as a part of a squared radius.
-const EQUAL: f64 = 1.0 / (1u64 << EQUAL_BITS) as f64;
-
-/// More than the relative difference of squared radii that agree in so many bits.
-const NEARLY: f64 = 2.0 * EQUAL;
 
 /// What is wrong with a triangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -156,40 +144,10 @@ impl<'a> Quality<'a> {
         let corners = from_shortest(live, corners).map(|v| live.kernel.position(id(v)));
         centre(corners, self.centre, self.cotangent)
     }
-
-    /// Whether the shortest edge joins two segments of an apex, at one distance from it: no point makes the angle larger.
-    pub(super) fn subtends_input_angle(
-        &self,
-        live: &Live,
-        apexes: &Apexes,
-        corners: [VertexId; 3],
-    ) -> bool {
-        let [p, q, r] = from_shortest(live, corners);
-        let [on_p, on_q] = [p, q].map(|v| live.steiner_of(v));
-        match (on_p, on_q) {
-            (Some(Steiner::On { segment, t }), _) => meet(live, apexes, (segment, p, t), q),
-            (_, Some(Steiner::On { segment, t })) => meet(live, apexes, (segment, q, t), p),
-            (None, None) => {
-                if apexes.bits(r).is_none() || !may_be_as_far(live, r, [p, q]) {
-                    return false;
-                }
-                let segments = [p, q].map(|v| live.segment_between([r, v]));
-                let [Some(of_p), Some(of_q)] = segments else { return false };
-                match [of_p, of_q].map(|segment| live.length(segment)) {
-                    [Some(of_p), Some(of_q)] => is_nearly(of_p, of_q),
-                    _ => {
-                        let [of_p, of_q] = [of_p, of_q].map(|s| live.squared_length(s));
-                        nearly_equal(&of_p, &of_q)
-                    }
-                }
-            }
-            _ => false,
-        }
-    }
 }
 
 /// The signs of `u . v` and of `(u . v)^2 - c |u|^2 |v|^2` for the edges u, v from the first vertex to the two others, exactly.
-fn products(vertices: [VertexId; 3], c: f64, live: &Live) -> [Sign; 2] {
+pub(super) fn products(vertices: [VertexId; 3], c: f64, live: &Live) -> [Sign; 2] {
     let [z, a, b] = vertices.map(|v| live.kernel.exact(id(v)).x);
     let from = |[x, y]: [Dyadic; 2]| [x - &z[0], y - &z[1]];
     let (u, v) = (from(a), from(b));
@@ -226,56 +184,8 @@ impl Shape {
     }
 }
 
-/// Whether a vertex is as far from an apex of a segment as a point of another segment of it, which is at that parameter.
-fn meet(
-    live: &Live,
-    apexes: &Apexes,
-    (segment, p, t): (u32, VertexId, &Parameter),
-    v: VertexId,
-) -> bool {
-    [0, 1].into_iter().any(|end| {
-        let apex = VertexId::new(live.segments[segment as usize][end] as usize);
-        if apexes.bits(apex).is_none() || !may_be_as_far(live, apex, [p, v]) {
-            return false;
-        }
-        if let (Some(other), Some(length)) = (radius(live, segment, apex, v), live.length(segment))
-        {
-            return is_nearly(t.from_end(end) * length, other);
-        }
-        let Some(other) = squared_radius(live, segment, apex, v) else { return false };
-        let t = t.exact_from_end(end);
-        nearly_equal(&(&(&t * &t) * &live.squared_length(segment)), &other)
-    })
-}
-
-/// Whether two vertices may be at one distance from a site: `false` if doubles tell that they are not.
-fn may_be_as_far(live: &Live, z: VertexId, vertices: [VertexId; 2]) -> bool {
-    let z = live.kernel.position(id(z));
-    let [p, q] = vertices.map(|v| live.kernel.position(id(v)));
-    let [to_p, to_q] = [p, q].map(|v| dot(minus(v, z), minus(v, z)));
-    let far = [z, p, q].as_flattened().iter().fold(0.0, |m: f64, x| m.max(x.abs()));
-    let less = to_p.min(to_q);
-    let slack = NEARLY + 16.0 * f64::EPSILON * far / less.sqrt();
-    // Not where anything under- or overflows.
-    !((to_p - to_q).abs() > slack * less.max(f64::MIN_POSITIVE) && slack < 0.01 && far < 1e150)
-}
-
-/// Whether two radii, each off by a few roundings, are one up to the precision of parameters.
-fn is_nearly(a: f64, b: f64) -> bool {
-    (a - b).abs() < 0.5 * EQUAL * a
-}
-
-/// The same of exact squares.
-fn nearly_equal(a: &Dyadic, b: &Dyadic) -> bool {
-    let difference = a.clone() - b;
-    match (difference.magnitude(), a.magnitude()) {
-        (Some(off), Some(of)) => off < of - i64::from(EQUAL_BITS),
-        _ => true,
-    }
-}
-
 /// The corners in their order, the shortest edge being that from the first to the second.
-fn from_shortest(live: &Live, corners: [VertexId; 3]) -> [VertexId; 3] {
+pub(super) fn from_shortest(live: &Live, corners: [VertexId; 3]) -> [VertexId; 3] {
     rotated(corners, shortest_edge(corners.map(|v| live.kernel.position(id(v)))))
 }
 
@@ -302,10 +212,10 @@ fn rotated<T: Copy>([a, b, c]: [T; 3], first: usize) -> [T; 3] {
     }
 }
 
-fn minus(p: [f64; 2], q: [f64; 2]) -> [f64; 2] {
+pub(super) fn minus(p: [f64; 2], q: [f64; 2]) -> [f64; 2] {
     [p[0] - q[0], p[1] - q[1]]
 }
 
-fn dot(u: [f64; 2], v: [f64; 2]) -> f64 {
+pub(super) fn dot(u: [f64; 2], v: [f64; 2]) -> f64 {
     u[0] * v[0] + u[1] * v[1]
 }

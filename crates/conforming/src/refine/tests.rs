@@ -164,3 +164,22 @@ fn a_point_on_a_bare_hull_stays() {
         assert!(verdict.ok, "{centre:?} {encroachment:?}: {verdict}");
     }
 }
+
+/// Three segments of an apex: the first two meet at 40 degrees, the last two at 64. Points at one distance from it on the former subtend the small
+/// angle, those on the latter do not, whatever else the apex has.
+#[test]
+fn only_small_angles_are_input_angles() {
+    let points = [[0.0, 0.0], [8.0, 0.0], [6.0, 5.0], [-2.0, 8.0]];
+    let graph = pslg(&points, &[[0, 1], [0, 2], [0, 3]]);
+    let cdt = cavity(&graph, &Options::default(), &mut ());
+    let mut live = Live::new(&cdt, &graph);
+    let apexes = Apexes::new(&cdt, &live);
+    let on = [0, 1, 2].map(|piece| {
+        let share = 1.0 / live.length(piece).unwrap();
+        let t = if live.segments[piece as usize][0] == 0 { share } else { 1.0 - share };
+        live.split_piece(piece, crate::parameter::Parameter::Double(t), &mut ())
+    });
+    let [r, s] = [1, 3].map(VertexId::new);
+    assert!(subtends_input_angle(&live, &apexes, [on[0], on[1], s]));
+    assert!(!subtends_input_angle(&live, &apexes, [on[1], on[2], r]));
+}
