@@ -64,14 +64,17 @@ fn nothing_inside_is_nothing_to_do() {
     }
 }
 
+/// A square of four units in the last place: of triangles whose corners are doubles none inside is as small as is asked for.
 #[test]
 fn doubles_too_coarse_are_reported() {
-    // Two units in the last place wide: there is hardly a double to put a vertex at.
-    let x = 1.0 + 2.0 * f64::EPSILON;
-    let graph = polygon(&[[1.0, 1.0], [x, 1.0], [x, 1.0 + 64.0 * f64::EPSILON]]);
-    let options = RefineOptions { angle_deg_min: 30.0, ..RefineOptions::default() };
+    let (ulp, high) = (f64::EPSILON, 1.0 + 4.0 * f64::EPSILON);
+    let graph = polygon(&[[1.0, 1.0], [high, 1.0], [high, high], [1.0, high]]);
+    let limits = Limits { vertices_max: 2_000 };
+    let options = RefineOptions { area_max: ulp * ulp / 8.0, limits, ..RefineOptions::default() };
     let refined = refine(&graph, &Fill::Exterior, &options, &mut ()).unwrap();
     assert!(refined.is_complete() && refined.left_alone_for(Reason::Unreachable) > 0);
+    let (counts, exceptions) = refined.promised();
+    assert!(exceptions.is_empty() && counts.contains(&false), "no promise of what is out of reach");
     let verdict = judged_with_angles(&graph, &refined, options.cosine_square());
     assert!(verdict.ok, "all others keep the angle: {verdict}");
 }

@@ -33,7 +33,7 @@ pub(crate) fn refine(arguments: &cli::Refine) -> Result<(), Failure> {
     match refined.left_alone_for(Reason::Unreachable) {
         0 => Ok(()),
         count => Err(Failure::Limit(format!(
-            "{}: doubles are too coarse for the angles of {count} triangles; the result is valid, and keeps the bounds elsewhere",
+            "{}: doubles are too coarse for the bounds in {count} triangles; the result is valid, and keeps them elsewhere",
             subject.name()
         ))),
     }
