@@ -27,7 +27,7 @@ impl Parameter {
     }
 
     /// The distance from an end of the segment, to the nearest double.
-    pub(crate) fn from_end(&self, end: usize) -> f64 {
+    pub(crate) fn away_from(&self, end: usize) -> f64 {
         match (self, end) {
             (Self::Double(t), 0) => *t,
             (Self::Double(t), _) => 1.0 - t,
@@ -37,7 +37,7 @@ impl Parameter {
     }
 
     /// The same exactly.
-    pub(crate) fn exact_from_end(&self, end: usize) -> Dyadic {
+    pub(crate) fn exactly_away_from(&self, end: usize) -> Dyadic {
         if end == 0 { self.exact() } else { Dyadic::from(1) - self.exact() }
     }
 

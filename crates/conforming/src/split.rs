@@ -138,7 +138,7 @@ pub(crate) fn squared_radius(
     let (other, from_z) = on_other(live, segment, z, v)?;
     let square = live.squared_length(other);
     Some(from_z.map_or(square.clone(), |(t, end)| {
-        let share = t.exact_from_end(end);
+        let share = t.exactly_away_from(end);
         &(&share * &share) * &square
     }))
 }

@@ -62,10 +62,10 @@ fn meet(
         }
         if let (Some(other), Some(length)) = (radius(live, segment, apex, v), live.length(segment))
         {
-            return is_nearly(t.from_end(end) * length, other);
+            return is_nearly(t.away_from(end) * length, other);
         }
         let Some(other) = squared_radius(live, segment, apex, v) else { return false };
-        let t = t.exact_from_end(end);
+        let t = t.exactly_away_from(end);
         nearly_equal(&(&(&t * &t) * &live.squared_length(segment)), &other)
     })
 }

@@ -64,7 +64,7 @@ pub(super) fn parameter(
 /// The distance from the apex z, an end of `segment`, of a vertex on another segment of z.
 pub(crate) fn radius(live: &Live, segment: u32, z: VertexId, v: VertexId) -> Option<f64> {
     let (other, from_z) = on_other(live, segment, z, v)?;
-    let share = from_z.map_or(1.0, |(t, end)| t.from_end(end));
+    let share = from_z.map_or(1.0, |(t, end)| t.away_from(end));
     Some(share * live.length(other)?)
 }
 
