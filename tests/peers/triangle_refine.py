@@ -1,7 +1,8 @@
 """Triangle behind a pipe, through PyPI's package `triangle`: an opponent in refinement.
 
-In: requests as those of cgal.cpp, of one kind:
+In: requests as those of cgal.cpp, of two kinds:
   refine DEGREES SIZE N M    then N lines  x y, then M lines  i j    (SIZE is not looked at)
+  conform gabriel N M        the same lines; what is outside of segments is left out
 Out: `triangle`, when it is ready; for each request `counted VERTICES CELLS SECONDS`. After ten seconds the program ends.
 """
 
@@ -20,7 +21,8 @@ def double(digits):
 
 print("triangle", flush=True)
 for line in sys.stdin:
-    _, degrees, _, n, m = line.split()
+    what, *words, n, m = line.split()
+    switches = "pq" + words[0] if what == "refine" else "pD"
     points = [[double(x) for x in sys.stdin.readline().split()] for _ in range(int(n))]
     segments = [[int(i) for i in sys.stdin.readline().split()] for _ in range(int(m))]
     given = {
@@ -29,7 +31,7 @@ for line in sys.stdin:
     }
     signal.alarm(10)
     start = time.perf_counter()
-    made = triangle.triangulate(given, "pq" + degrees)
+    made = triangle.triangulate(given, switches)
     seconds = time.perf_counter() - start
     signal.alarm(0)
     print("counted", len(made["vertices"]), len(made.get("triangles", ())), seconds, flush=True)

@@ -10,8 +10,10 @@ use delone_cdt::Cdt;
 use delone_mesh::{CellId, HalfEdge, VertexId};
 use delone_predicates::{Constructed, Dyadic, Metric, Sign};
 
-/// Precision that costs one double.
-const BITS_MIN: u32 = 52;
+use crate::live::Live;
+
+/// More than enough for angles that are not tiny, and so little that both `t` and `1 - t` are mostly doubles.
+const BITS_MIN: u32 = 30;
 
 /// More bits than the lemma asks for.
 const SLACK: i64 = 6;
@@ -22,17 +24,55 @@ pub(crate) struct Apexes(Vec<u32>);
 
 impl Apexes {
     /// Of the sites of a CDT.
-    pub(crate) fn new(cdt: &Cdt, kernel: &Constructed<2>, sites: usize) -> Self {
-        let cells = cdt.mesh().cells_by_vertex(sites);
-        let of = |(site, cell): (usize, Option<CellId>)| {
-            cell.map_or(0, |cell| bits_at(cdt, kernel, VertexId::new(site), cell))
-        };
-        Self(cells.into_iter().enumerate().map(of).collect())
+    pub(crate) fn new(cdt: &Cdt, live: &Live) -> Self {
+        let spokes = Spokes::of(live);
+        let mut bits = vec![0; live.sites];
+        let mut in_ring = Vec::new();
+        for (z, &Spokes { count, ends }) in spokes.iter().enumerate() {
+            match count {
+                0 | 1 => {}
+                2 => bits[z] = bits_between(&live.kernel, VertexId::new(z), ends),
+                _ => in_ring.push(z),
+            }
+        }
+        if !in_ring.is_empty() {
+            let cells = cdt.mesh().cells_by_vertex(live.sites);
+            for z in in_ring {
+                let of = |cell| bits_at(cdt, &live.kernel, VertexId::new(z), cell);
+                bits[z] = cells[z].map_or(0, of);
+            }
+        }
+        Self(bits)
     }
 
     /// The bits of parameters at an apex; `None` if this is no apex.
     pub(crate) fn bits(&self, v: VertexId) -> Option<u32> {
         self.0.get(v.index()).copied().filter(|&bits| bits > 0)
+    }
+}
+
+/// How many segments a site has, and the other ends of the first two.
+#[derive(Clone, Copy)]
+struct Spokes {
+    count: u32,
+    ends: [VertexId; 2],
+}
+
+impl Spokes {
+    /// By site.
+    fn of(live: &Live) -> Vec<Self> {
+        let mut spokes = vec![Self { count: 0, ends: [VertexId::GHOST; 2] }; live.sites];
+        for ends in &live.segments {
+            let [a, b] = ends.map(|v| VertexId::new(v as usize));
+            for (from, to) in [(a, b), (b, a)] {
+                let Self { count, ends } = &mut spokes[from.index()];
+                if let Some(end) = ends.get_mut(*count as usize) {
+                    *end = to;
+                }
+                *count += 1;
+            }
+        }
+        spokes
     }
 }
 
@@ -53,18 +93,22 @@ fn bits_at(cdt: &Cdt, kernel: &Constructed<2>, z: VertexId, cell: CellId) -> u32
 
 /// What the angle between two segments asks for: 0 if it is 60 degrees or more.
 fn bits_between(kernel: &Constructed<2>, z: VertexId, [u, w]: [VertexId; 2]) -> u32 {
-    if u == w || kernel.dot([z, u, z, w]) != Sign::Positive {
+    if u == w {
         return 0;
     }
     let at = |v: VertexId| kernel.position(u32::try_from(v.index()).expect("an id has 32 bits"));
     let [o, p, q] = [z, u, w].map(at);
     let [p, q] = [p, q].map(|v| [v[0] - o[0], v[1] - o[1]]);
-    let cross = p[0] * q[1] - p[1] * q[0];
+    let (cross, along) = (p[0] * q[1] - p[1] * q[0], p[0] * q[0] + p[1] * q[1]);
     let squares = (p[0] * p[0] + p[1] * p[1]) * (q[0] * q[0] + q[1] * q[1]);
     let sine_square = cross * cross / squares;
-    // Where the sine is large, and nothing overflows, its rounding is far less than the room.
+    // Where neither sine nor cosine is small, and nothing overflows, their rounding is far less than the room.
     if squares.is_normal() && squares > 1e-200 && sine_square > 1e-4 {
-        return if sine_square < 0.75 + 1e-9 { BITS_MIN } else { 0 };
+        let is_acute = along > 0.0 && sine_square < 0.75 + 1e-9;
+        return if is_acute { BITS_MIN } else { 0 };
+    }
+    if kernel.dot([z, u, z, w]) != Sign::Positive {
+        return 0;
     }
     let [o, p, q] = [z, u, w].map(|v| at(v).map(Dyadic::from));
     let [p, q] = [p, q].map(|v| [v[0].clone() - &o[0], v[1].clone() - &o[1]]);

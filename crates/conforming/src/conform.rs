@@ -138,7 +138,7 @@ pub fn conform(
         return Conforming::chain(&cdt, pslg);
     }
     let mut live = Live::new(&cdt, pslg);
-    let apexes = Apexes::new(&cdt, &live.kernel, live.sites);
+    let apexes = Apexes::new(&cdt, &live);
     let is_complete = split_all(&mut live, &apexes, criterion, options, probe);
     Conforming::new(live, is_complete)
 }
@@ -154,7 +154,7 @@ pub fn conform_by_protection(
         return Conforming::chain(&cdt, pslg);
     }
     let mut live = Live::new(&cdt, pslg);
-    let apexes = Apexes::new(&cdt, &live.kernel, live.sites);
+    let apexes = Apexes::new(&cdt, &live);
     let is_complete = saalfeld::protect(&mut live, &apexes, options.limits, probe)
         && split_all(&mut live, &apexes, &Encroached, options, probe);
     Conforming::new(live, is_complete)

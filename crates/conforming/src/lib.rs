@@ -37,6 +37,7 @@
 mod apexes;
 mod conform;
 mod live;
+mod parameter;
 mod ratio;
 mod refine;
 mod registry;

@@ -28,6 +28,8 @@ use delone_predicates::{Constructed, Construction, Dyadic, Kernel, Side};
 use delone_probe::{Event, Probe};
 use delone_sites::{Noded, Pslg};
 
+use crate::parameter::Parameter;
+
 #[cfg(test)]
 mod tests;
 
@@ -59,7 +61,7 @@ pub(crate) struct Piece {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Steiner<'a> {
     /// On a segment, at this parameter.
-    On { segment: u32, t: &'a Dyadic },
+    On { segment: u32, t: &'a Parameter },
     /// Between segments.
     Free,
 }
@@ -69,7 +71,7 @@ pub(crate) enum Steiner<'a> {
 pub(crate) struct SteinerPoints {
     /// By Steiner point: its place in `on`, or `NONE`.
     places: Vec<u32>,
-    on: Vec<(u32, Dyadic)>,
+    on: Vec<(u32, Parameter)>,
 }
 
 impl SteinerPoints {
@@ -81,7 +83,7 @@ impl SteinerPoints {
         self.places.push(NONE);
     }
 
-    pub(crate) fn push_on(&mut self, segment: u32, t: Dyadic) {
+    pub(crate) fn push_on(&mut self, segment: u32, t: Parameter) {
         self.places.push(piece_id(self.on.len()));
         self.on.push((segment, t));
     }
@@ -112,6 +114,8 @@ pub(crate) struct Live {
     pub(crate) kernel: Constructed<2>,
     /// The segments, each from its lexicographically smaller end.
     pub(crate) segments: Vec<[u32; 2]>,
+    /// Their lengths, off by less than 2^-51 of themselves; none where squares of doubles may not tell.
+    lengths: Vec<Option<f64>>,
     /// Their ends, smaller site first, in increasing order.
     named: Vec<[u32; 2]>,
     /// The number of sites; other vertices are Steiner points.
@@ -153,10 +157,13 @@ impl Live {
         let pieces = pieces.collect();
         let region_at = vec![0; mesh.cell_count()];
         let (sites, kernel) = (graph.sites().len(), graph.kernel());
+        let length = |&[a, b]: &[u32; 2]| length([a, b].map(|v| kernel.position(v)));
+        let lengths = segments.iter().map(length).collect();
         Self {
             mesh,
             kernel,
             segments,
+            lengths,
             named: graph.subsegments().to_vec(),
             sites,
             steiner: SteinerPoints::default(),
@@ -200,11 +207,11 @@ impl Live {
     }
 
     /// The parameters of a piece's ends on its segment.
-    pub(crate) fn parameters(&self, piece: PieceId) -> [Dyadic; 2] {
+    pub(crate) fn parameters(&self, piece: PieceId) -> [Parameter; 2] {
         let ends = self.pieces[piece as usize].ends;
-        [0, 1].map(|end| match self.steiner_of(ends[end]) {
+        [(0, 0.0), (1, 1.0)].map(|(end, whole)| match self.steiner_of(ends[end]) {
             Some(Steiner::On { t, .. }) => t.clone(),
-            _ => Dyadic::from(if end == 0 { 0i64 } else { 1 }),
+            _ => Parameter::Double(whole),
         })
     }
 
@@ -221,6 +228,12 @@ impl Live {
         [0, 1].map(along).iter().fold(Dyadic::ZERO, |sum, x| sum + x * x)
     }
 
+    /// The length of a segment, off by less than 2^-51 of itself, where doubles may tell.
+    #[inline]
+    pub(crate) fn length(&self, segment: u32) -> Option<f64> {
+        self.lengths[segment as usize]
+    }
+
     /// Puts a Steiner point on a piece. The piece becomes the part before it, a new one the part after it.
     ///
     /// # Panics
@@ -228,16 +241,21 @@ impl Live {
     pub(crate) fn split_piece(
         &mut self,
         piece: PieceId,
-        t: Dyadic,
+        t: Parameter,
         probe: &mut impl Probe,
     ) -> VertexId {
         let [t0, t1] = self.parameters(piece);
-        assert!(t0 < t && t < t1, "Inv 2: a piece is split between its ends");
+        assert!(t0.is_less(&t) && t.is_less(&t1), "Inv 2: a piece is split between its ends");
         let Piece { segment, ends: [_, b], .. } = self.pieces[piece as usize];
         let [from, to] = self.segments[segment as usize];
-        let construction = Construction::SegmentPoint { a: from, b: to, t: t.clone() };
-        let p = self.kernel.push(&construction).expect("the ends of a segment are sites");
-        let p = VertexId::new(p as usize);
+        let p = match &t {
+            Parameter::Double(t) => self.kernel.push_between([from, to], *t),
+            Parameter::Long(t) => {
+                let t = Dyadic::clone(t);
+                self.kernel.push(&Construction::SegmentPoint { a: from, b: to, t })
+            }
+        };
+        let p = VertexId::new(p.expect("the ends of a segment are sites") as usize);
         self.steiner.push_on(segment, t);
         let h = self.half_edge(piece);
         let second = piece_id(self.pieces.len());
@@ -350,6 +368,13 @@ impl Live {
             self.pieces[piece as usize].half = h;
         }
     }
+}
+
+/// The distance of two points, off by less than 2^-51 of itself; `None` where squares may under- or overflow.
+fn length([a, b]: [[f64; 2]; 2]) -> Option<f64> {
+    let [x, y] = [b[0] - a[0], b[1] - a[1]];
+    let square = x * x + y * y;
+    (1e-270..1e270).contains(&square).then(|| square.sqrt())
 }
 
 pub(crate) fn id(v: VertexId) -> u32 {

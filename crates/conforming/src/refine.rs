@@ -33,12 +33,13 @@ mod centre;
 mod quality;
 mod queue;
 mod result;
+mod shells;
 
 use std::collections::VecDeque;
 
 use delone_cdt::{Fill, FillError, Inside, cavity};
 use delone_delaunay::Options;
-use delone_mesh::{CellId, VertexId};
+use delone_mesh::{CellId, HalfEdge, VertexId};
 use delone_probe::{Event, Probe};
 use delone_sites::Pslg;
 
@@ -48,6 +49,7 @@ use crate::live::{Live, PieceId, Place, Region, Steiner};
 use crate::split::{Placement, encroachers, parameter};
 use quality::{Flaw, Quality};
 use queue::Queue;
+use shells::subtends_input_angle;
 
 pub use result::{LeftAlone, Reason, Refined};
 
@@ -156,7 +158,7 @@ pub fn refine(
         live.region_at[cell.index()] = inside.regions().of_cell(cell);
     }
     let inside = inside.by_region().to_vec();
-    let apexes = Apexes::new(&cdt, &live.kernel, live.sites);
+    let apexes = Apexes::new(&cdt, &live);
     let quality = Quality::new(options, farthest(pslg.sites().points()));
     let mut work = Work {
         live,
@@ -225,8 +227,10 @@ impl Work<'_> {
         }
     }
 
+    /// Ghosts are in region 0, which never is.
+    #[inline]
     fn is_inside(&self, cell: CellId) -> bool {
-        self.inside[self.live.region_at[cell.index()] as usize] && !self.live.mesh.is_ghost(cell)
+        self.inside[self.live.region_at[cell.index()] as usize]
     }
 
     /// Queues a triangle that does not keep the bounds.
@@ -236,9 +240,7 @@ impl Work<'_> {
         }
         let corners = corners(&self.live, cell);
         let Some((flaw, urgency)) = self.quality.flaw(&self.live, corners) else { return };
-        if flaw == Flaw::Skinny
-            && self.quality.subtends_input_angle(&self.live, &self.apexes, corners)
-        {
+        if flaw == Flaw::Skinny && subtends_input_angle(&self.live, &self.apexes, corners) {
             return self.left_alone.push((cell, corners, Reason::InputAngle));
         }
         self.triangles.push(urgency, cell, corners);
@@ -247,9 +249,13 @@ impl Work<'_> {
     /// Whether an apex inside encroaches upon a piece.
     fn is_encroached(&self, piece: PieceId) -> bool {
         let h = self.live.half_edge(piece);
-        [h, self.live.mesh.twin(h)]
-            .into_iter()
-            .any(|h| self.is_inside(h.cell()) && self.encroaches(piece, self.live.mesh.apex(h)))
+        [h, self.live.mesh.twin(h)].into_iter().any(|h| self.is_encroached_from(h, piece))
+    }
+
+    /// Whether the apex on one side of a piece is inside and encroaches upon it.
+    #[inline]
+    fn is_encroached_from(&self, h: HalfEdge, piece: PieceId) -> bool {
+        self.is_inside(h.cell()) && self.encroaches(piece, self.live.mesh.apex(h))
     }
 
     fn encroaches(&self, piece: PieceId, v: VertexId) -> bool {
@@ -315,12 +321,15 @@ impl Work<'_> {
         loop {
             self.test(h.cell());
             let opposite = self.live.mesh.next(h);
-            for h in [h, opposite] {
-                if let Some(piece) = self.live.piece_of(h)
-                    && self.is_encroached(piece)
-                {
-                    self.pieces.push_back((piece, None));
-                }
+            if let Some(piece) = self.live.piece_of(h)
+                && self.is_encroached(piece)
+            {
+                self.pieces.push_back((piece, None));
+            }
+            if let Some(piece) = self.live.piece_of(opposite)
+                && self.is_encroached_from(opposite, piece)
+            {
+                self.pieces.push_back((piece, None));
             }
             h = self.live.mesh.twin(self.live.mesh.prev(h));
             if h == first {
@@ -370,6 +379,7 @@ fn farthest(points: &[[f64; 2]]) -> f64 {
     points.as_flattened().iter().fold(0.0, |m: f64, x| m.max(x.abs()))
 }
 
+#[inline]
 fn corners(live: &Live, cell: CellId) -> [VertexId; 3] {
     let corners = live.mesh.corners(cell);
     [corners[0], corners[1], corners[2]]

@@ -42,7 +42,7 @@ impl Conforming {
         let on = |steiner: Steiner<'_>| match steiner {
             Steiner::On { segment, t } => {
                 let ends = live.segments[segment as usize];
-                SteinerPoint::On { subsegment: segment, ends, t: t.clone() }
+                SteinerPoint::On { subsegment: segment, ends, t: t.exact() }
             }
             Steiner::Free => SteinerPoint::Free,
         };

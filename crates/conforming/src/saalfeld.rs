@@ -53,7 +53,7 @@ pub(crate) fn protect(
         // Before the first split, pieces and segments have the same numbers.
         let mut piece = PieceId::try_from(segment).expect("segments are fewer than ids");
         for t in cuts {
-            live.split_piece(piece, t, probe);
+            live.split_piece(piece, t.into(), probe);
             piece = PieceId::try_from(live.pieces.len() - 1).expect("pieces are fewer than ids");
         }
     }

@@ -21,7 +21,9 @@
 //! gets arbitrarily short, each split makes one more, and their lengths add up to a constant.
 //!
 //! **Precision.** Radii are irrational fractions of a segment: equal ones are equal up to the bits that the apex asks for
-//! ([`crate::apexes`]), and the lemma holds for them.
+//! ([`crate::apexes`]), and the lemma holds for them. Where doubles have these bits, parameters are doubles (`split/doubles.rs`): a third, a
+//! half and a quarter above are so up to 2^-12 or better of the piece, which the proof has room for, its "a third" being anything
+//! more than a quarter. Else they are as long as the apex asks for.
 //!
 //! **Degeneracies.**
 //! | case | answer | test |
@@ -35,7 +37,12 @@ use smallvec::SmallVec;
 
 use crate::apexes::Apexes;
 use crate::live::{Live, PieceId, Steiner, id};
+use crate::parameter::Parameter;
 use crate::ratio::{log4, root};
+
+mod doubles;
+
+pub(crate) use doubles::radius;
 
 /// How Steiner points on segments are placed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -73,9 +80,23 @@ pub(crate) fn parameter(
     piece: PieceId,
     encroachers: &[VertexId],
     placement: Placement,
+) -> Parameter {
+    match doubles::parameter(live, apexes, piece, encroachers, placement) {
+        Some(t) => Parameter::Double(t),
+        None => exact_parameter(live, apexes, piece, encroachers, placement).into(),
+    }
+}
+
+/// The same in numbers of any length.
+fn exact_parameter(
+    live: &Live,
+    apexes: &Apexes,
+    piece: PieceId,
+    encroachers: &[VertexId],
+    placement: Placement,
 ) -> Dyadic {
     let segment = live.pieces[piece as usize].segment;
-    let [t0, t1] = live.parameters(piece);
+    let [t0, t1] = live.parameters(piece).map(|t| t.exact());
     let ends = live.pieces[piece as usize].ends;
     let mut copies = Vec::new();
     for z in [0, 1] {
@@ -114,19 +135,31 @@ pub(crate) fn squared_radius(
     z: VertexId,
     v: VertexId,
 ) -> Option<Dyadic> {
+    let (other, from_z) = on_other(live, segment, z, v)?;
+    let square = live.squared_length(other);
+    Some(from_z.map_or(square.clone(), |(t, end)| {
+        let share = t.exactly_away_from(end);
+        &(&share * &share) * &square
+    }))
+}
+
+/// The other segment of the apex z, an end of `segment`, that a vertex is on; and its parameter with the end from which to take it, none if it
+/// is the segment's other end.
+fn on_other(
+    live: &Live,
+    segment: u32,
+    z: VertexId,
+    v: VertexId,
+) -> Option<(u32, Option<(&Parameter, usize)>)> {
     match live.steiner_of(v) {
         Some(Steiner::On { segment: other, t }) => {
-            let [a, b] = live.segments[other as usize];
-            if other == segment || (id(z) != a && id(z) != b) {
-                return None;
-            }
-            let from_z = if id(z) == a { t.clone() } else { Dyadic::from(1) - t };
-            Some(&(&from_z * &from_z) * &live.squared_length(other))
+            let end = live.segments[other as usize].iter().position(|&end| end == id(z))?;
+            (other != segment).then_some((other, Some((t, end))))
         }
         Some(Steiner::Free) => None,
         None => {
             let other = live.segment_between([z, v])?;
-            (other != segment).then(|| live.squared_length(other))
+            (other != segment).then_some((other, None))
         }
     }
 }

@@ -19,7 +19,7 @@ pub(crate) fn judged(pslg: &Pslg, conforming: &Conforming, promise: Promise) -> 
 
 /// What the judge says of a refined triangulation that is complete.
 pub(crate) fn judged_with_angles(pslg: &Pslg, refined: &Refined, cosine_square: f64) -> Verdict {
-    let (inside, exceptions) = refined.sides();
+    let (inside, exceptions) = refined.promised();
     let angles = Angles { cosine_square, inside: &inside, exceptions: &exceptions };
     let judge =
         |conformed: &Conformed<'_>, options: &Options| judge_refined(conformed, &angles, options);

@@ -39,12 +39,12 @@ impl Result<'_> {
     }
 
     /// That it is constrained Delaunay; and if nothing stopped it, that angles inside are at least the promised one but where small
-    /// input angles are.
+    /// input angles are and where doubles are too coarse.
     pub(crate) fn verdict_on_angles(&self, refined: &Refined, cosine_square: f64) -> Verdict {
         if !self.conforming.is_complete() || self.conforming.mesh().dimension() != Some(2) {
             return self.verdict(Promise::Constrained);
         }
-        let (inside, exceptions) = refined.sides();
+        let (inside, exceptions) = refined.promised();
         let angles = Angles { cosine_square, inside: &inside, exceptions: &exceptions };
         judge::refined(self.pslg, self.conforming, &angles)
     }

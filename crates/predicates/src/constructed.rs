@@ -5,8 +5,8 @@
 //!
 //! **Paper.** \[Att20\]; where we differ: exact coordinates are kept, in numbers of any length, and so are nearest doubles.
 //!
-//! **Values.** A constructed point is computed once, when it is pushed: homogeneous coordinates in [`Dyadic`] numbers, and
-//! the nearest doubles. Where these are exact, the vertex is as good as plain. Elsewhere they are off by half of the last place
+//! **Values.** The nearest doubles of a constructed point are computed when it is pushed, its homogeneous coordinates in
+//! [`Dyadic`] numbers then, or when they are first asked for (`constructed/lazy.rs`). Where these are exact, the vertex is as good as plain. Elsewhere they are off by half of the last place
 //! at most, and nearest is monotone: where nearest doubles differ, they are in the order of the exact values.
 //!
 //! **Stages.** Calls on vertices that are exact doubles, plain or not, are those of [`Adaptive`]. Others: 1. A static filter for
@@ -34,7 +34,6 @@ use std::cmp::Ordering;
 
 use crate::adaptive::Adaptive;
 use crate::approximate::Approximate;
-use crate::dyadic::nearest_ratio;
 use crate::filter::{Bounds, value};
 use crate::formula::{Call, Cross, Formula, Lifted, Orient, exactly};
 use crate::kernel::{Id, Kernel, PlaneKernel, all_axes};
@@ -44,13 +43,16 @@ use smallvec::SmallVec;
 
 mod construction;
 mod extent;
+mod lazy;
 mod local;
+mod push;
 mod short;
 #[cfg(test)]
 mod tests;
 
 pub use construction::{Construction, ConstructionError};
 use extent::Extent;
+use lazy::Value;
 use short::Short;
 
 /// Instead of a place among the values: a plain point.
@@ -79,7 +81,7 @@ pub struct Constructed<const D: usize> {
     positions: Vec<[f64; D]>,
     /// The place of a vertex among the values, or `PLAIN`; and whether it is `ROUNDED`.
     places: Vec<u32>,
-    values: Vec<Homogeneous<Dyadic, D>>,
+    values: Vec<Value<D>>,
     /// Vertices of a smaller index are exact in doubles, and so are most calls known to be.
     exact_below: usize,
     extent: Extent<D>,
@@ -133,34 +135,6 @@ impl<const D: usize> Constructed<D> {
         self.add(point, PLAIN)
     }
 
-    /// Adds a constructed point. Its id. O(1).
-    ///
-    /// # Errors
-    /// If the construction is not from plain points, makes no point, or is not one of this dimension.
-    ///
-    /// # Panics
-    /// If there are 2^32 - 1 points.
-    pub fn push(&mut self, construction: &Construction) -> Result<u32, ConstructionError> {
-        for id in construction.parents() {
-            match self.places.get(id as usize) {
-                None => return Err(ConstructionError::Unknown { id }),
-                Some(&place) if place & !ROUNDED != PLAIN => {
-                    return Err(ConstructionError::NotPlain { id });
-                }
-                Some(_) => {}
-            }
-        }
-        let exact = construction.value(|id| self.positions[id as usize])?;
-        let position = exact.x.each_ref().map(|x| nearest_ratio(x, &exact.w));
-        let is_exact = |axis: usize| {
-            position[axis].is_finite() && Dyadic::from(position[axis]) * &exact.w == exact.x[axis]
-        };
-        let rounded = if (0..D).all(is_exact) { 0 } else { ROUNDED };
-        let place = u32::try_from(self.values.len()).ok().filter(|&place| place < PLAIN);
-        self.values.push(exact);
-        Ok(self.add(position, place.expect("fewer than 2^31 - 1 constructed points") | rounded))
-    }
-
     fn add(&mut self, position: [f64; D], place: u32) -> u32 {
         let id = u32::try_from(self.positions.len()).ok().filter(|&id| id != u32::MAX);
         self.positions.push(position);
@@ -209,7 +183,7 @@ impl<const D: usize> Constructed<D> {
     /// Whether a vertex is a plain point.
     #[must_use]
     pub fn is_plain(&self, id: u32) -> bool {
-        self.value_at(id as usize).is_none()
+        self.places[id as usize] & !ROUNDED == PLAIN
     }
 
     /// Whether [`Constructed::position`] is the vertex itself.
@@ -232,7 +206,7 @@ impl<const D: usize> Constructed<D> {
     /// The value of a vertex that is not plain.
     fn value_at(&self, v: usize) -> Option<&Homogeneous<Dyadic, D>> {
         let place = self.places[v] & !ROUNDED;
-        (place != PLAIN).then(|| &self.values[place as usize])
+        (place != PLAIN).then(|| self.values[place as usize].get())
     }
 
     pub(crate) fn exact_at(&self, v: usize) -> Homogeneous<Dyadic, D> {
@@ -320,10 +294,13 @@ impl<const D: usize> Kernel<D> for Constructed<D> {
     fn reordered(&self, order: &[u32]) -> Self {
         let mut values = Vec::new();
         let mut place_of = |&i: &u32| {
-            let Some(value) = self.value_at(i as usize) else { return PLAIN };
-            values.push(value.clone());
+            let (place, rounded) = (self.places[i as usize] & !ROUNDED, self.places[i as usize]);
+            if place == PLAIN {
+                return PLAIN;
+            }
+            values.push(self.values[place as usize].clone());
             let place = u32::try_from(values.len() - 1).expect("no more values than vertices");
-            place | self.places[i as usize] & ROUNDED
+            place | rounded & ROUNDED
         };
         let places = order.iter().map(&mut place_of).collect();
         let positions = crate::adaptive::gather(&self.positions, order);

@@ -1,15 +1,16 @@
-//! The collected files: judged, and counted beside CGAL. Skipped, said aloud, where there are none. Without `DELONE_LONG=1` one in
-//! ten, and only small ones.
+//! The collected files: judged, and counted beside CGAL and Triangle. Skipped, said aloud, where there are none. Without
+//! `DELONE_LONG=1` one in ten, and only small ones. Segments that cross are cut where they do, in doubles.
 
-use std::time::Instant;
-
+use delone::Pslg;
 use delone::check::Promise;
-use delone::conforming::{ConformOptions, Limits, methods};
+use delone::conforming::{ConformOptions, Conforming, Limits, Method, methods};
+use delone::sites::Snapped;
 use delone_tests::case::Case;
 use delone_tests::cgal::Cgal;
 use delone_tests::data::{documents, files, pslg_of};
 use delone_tests::{long, say};
 
+use crate::effort::{Deadline, JUDGED_MAX, Ratios, seconds, tell_names};
 use crate::{judged, promise};
 
 /// The most sites taken.
@@ -17,72 +18,160 @@ fn sites_max() -> usize {
     if long() { 200_000 } else { 150 }
 }
 
-#[test]
-fn all_methods_conform_on_files() {
-    let mut cgal = Cgal::start();
-    let mut ratios: [Vec<f64>; 2] = Default::default();
-    let (mut seen, mut done, mut refused) = (0, 0, 0);
-    for path in files("pslg") {
-        for document in documents(&path) {
-            let Some(case) = pslg_of(&document) else { continue };
-            seen += 1;
-            if case.points.len() > sites_max() || !long() && seen % 10 != 0 {
-                continue;
-            }
-            if case.try_pslg().is_none() {
-                refused += 1;
-                continue;
-            }
-            done += 1;
-            check(&case, &mut cgal, &mut ratios);
-        }
-    }
-    say(format!("{done} graphs judged, {refused} refused: segments cross"));
-    for (name, ratios) in ["delaunay", "gabriel"].iter().zip(&mut ratios) {
-        ratios.sort_by(f64::total_cmp);
-        if let (Some(median), n) = (ratios.get(ratios.len() / 2), ratios.len()) {
-            let [low, high] = [ratios[n / 10], ratios[9 * n / 10]];
-            say(format!("{name}: {n} graphs, ours / CGAL's {low:.3} {median:.3} {high:.3}"));
-            assert!(*median <= 1.0, "{name}: no more Steiner points than CGAL's in the median");
-        }
-    }
+/// The most segments that are cut where they cross.
+const CUT_MAX: usize = 1_000;
+
+/// What came of all files.
+struct Table {
+    cgal: Option<Cgal>,
+    triangle: Option<Cgal>,
+    graphs: usize,
+    snapped: usize,
+    /// Segments that cross, and are too many, or go on crossing in doubles.
+    refused: Vec<String>,
+    judged: [usize; 3],
+    /// By method: stopped by a limit, in vertices or in time.
+    stopped: [Vec<String>; 3],
+    /// By method: steiner points, ours over CGAL's.
+    ratios: [Ratios; 2],
+    /// Of `gabriel`, over Triangle's.
+    over_triangle: Ratios,
+    /// By method: of which CGAL said nothing in ten seconds.
+    silent: [Vec<String>; 2],
 }
 
-fn check(case: &Case<2>, cgal: &mut Option<Cgal>, ratios: &mut [Vec<f64>; 2]) {
-    let pslg = case.pslg();
-    let vertices_max = 10 * pslg.sites().len() + if long() { 100_000 } else { 500 };
-    let limits = Limits { vertices_max };
-    let options = ConformOptions { limits, ..ConformOptions::default() };
-    let mut row = format!("{} {}", case.name, pslg.sites().len());
-    for (number, method) in methods().iter().enumerate() {
-        let start = Instant::now();
-        let result = (method.run)(&pslg, &options, &mut ());
-        let seconds = start.elapsed().as_secs_f64();
-        let ours = result.steiner_points().len();
-        row += &format!(" | {} {ours}", method.name);
-        if !result.is_complete() {
-            row += " INCOMPLETE";
-        }
-        if result.mesh().dimension() != Some(2) {
-            continue;
-        }
-        let promise = if result.is_complete() { promise(method) } else { Promise::Constrained };
-        let verdict = judged(&pslg, &result, promise);
-        assert!(verdict.ok, "{} {}: {verdict}", method.name, case.name);
-        // On what takes too many, CGAL does not come back.
-        let asked = number < 2 && result.is_complete() && !pslg.subsegments().is_empty();
-        let Some(peer) = cgal.as_mut().filter(|_| asked) else { continue };
-        let points = pslg.sites().points();
-        match peer.conform(method.name, points, pslg.subsegments()) {
-            Some([vertices, _]) => {
-                let theirs = vertices - points.len();
-                row += &format!(" ({theirs}; {seconds:.4} s, {:.4} s)", peer.seconds());
-                if theirs + ours > 0 {
-                    ratios[number].push(ours as f64 / theirs as f64);
-                }
-            }
-            None => *cgal = Cgal::start(),
+#[test]
+fn all_methods_conform_on_files() {
+    let mut table = Table {
+        cgal: Cgal::start(),
+        triangle: Cgal::triangle(),
+        graphs: 0,
+        snapped: 0,
+        refused: Vec::new(),
+        judged: [0; 3],
+        stopped: Default::default(),
+        ratios: Default::default(),
+        over_triangle: Ratios::default(),
+        silent: Default::default(),
+    };
+    let cases = files("pslg").into_iter().flat_map(|path| documents(&path));
+    for (number, case) in cases.filter_map(|document| pslg_of(&document)).enumerate() {
+        if case.points.len() <= sites_max() && (long() || number % 10 == 9) {
+            table.take(&case);
         }
     }
-    say(row);
+    table.tell();
+}
+
+/// The graph, its segments cut where they cross if they do.
+fn graph_of(case: &Case<2>) -> Option<(Pslg, bool)> {
+    if let Some(pslg) = case.try_pslg() {
+        return Some((pslg, false));
+    }
+    if case.segments.len() > CUT_MAX {
+        return None;
+    }
+    let segments: Vec<[usize; 2]> =
+        case.segments.iter().map(|ends| ends.map(|v| v as usize)).collect();
+    let cut = Snapped::new(&case.points, &segments, 20).ok().filter(|cut| cut.is_settled)?;
+    Some((Pslg::new(&cut.points, &cut.segments).ok()?, true))
+}
+
+impl Table {
+    fn take(&mut self, case: &Case<2>) {
+        let name = case.name.rsplit("pslg/").next().unwrap_or(&case.name);
+        let Some((pslg, is_cut)) = graph_of(case) else {
+            return self.refused.push(name.to_owned());
+        };
+        self.graphs += 1;
+        self.snapped += usize::from(is_cut);
+        let mut row = format!("{name} {}", pslg.sites().len());
+        for (number, method) in methods().iter().enumerate() {
+            let result = self.judged(number, method, &pslg, name);
+            let ours = result.steiner_points().len();
+            row += &format!(" | {} {ours}", method.name);
+            if !result.is_complete() {
+                row += " INCOMPLETE";
+            } else if number < 2 && !pslg.subsegments().is_empty() {
+                row += &self.beside_peers(number, method.name, &pslg, ours, name);
+            }
+        }
+        say(row);
+    }
+
+    /// The result, of which the judge says what the method promises.
+    fn judged(&mut self, number: usize, method: &Method, pslg: &Pslg, name: &str) -> Conforming {
+        let vertices_max = 10 * pslg.sites().len() + if long() { 100_000 } else { 500 };
+        let options =
+            ConformOptions { limits: Limits { vertices_max }, ..ConformOptions::default() };
+        let result = (method.run)(pslg, &options, &mut Deadline::after(seconds()));
+        if !result.is_complete() {
+            self.stopped[number].push(name.to_owned());
+        }
+        let is_large = result.kernel().len() > JUDGED_MAX && !result.is_complete();
+        if result.mesh().dimension() == Some(2) && !is_large {
+            let promise = if result.is_complete() { promise(method) } else { Promise::Constrained };
+            let verdict = judged(pslg, &result, promise);
+            assert!(verdict.ok, "{} {name}: {verdict}", method.name);
+            self.judged[number] += usize::from(result.is_complete());
+        }
+        result
+    }
+
+    /// What the peers take. On what takes too many, they do not come back: they are started again.
+    fn beside_peers(
+        &mut self,
+        number: usize,
+        method: &str,
+        pslg: &Pslg,
+        ours: usize,
+        name: &str,
+    ) -> String {
+        let (points, pieces) = (pslg.sites().points(), pslg.subsegments());
+        let ratio = |theirs: usize| (theirs + ours > 0).then(|| ours as f64 / theirs as f64);
+        let mut row = String::new();
+        if let Some(peer) = &mut self.cgal {
+            match peer.conform(method, points, pieces) {
+                Some([vertices, _]) => {
+                    let theirs = vertices - points.len();
+                    row += &format!(" (CGAL {theirs})");
+                    ratio(theirs).into_iter().for_each(|r| self.ratios[number].push(r, name));
+                }
+                None => {
+                    self.silent[number].push(name.to_owned());
+                    self.cgal = Cgal::start();
+                }
+            }
+        }
+        // It leaves out what is outside: no cells, nothing to compare.
+        if let Some(peer) = self.triangle.as_mut().filter(|_| method == "gabriel") {
+            match peer.conform(method, points, pieces) {
+                Some([vertices, cells]) if cells > 0 => {
+                    let theirs = vertices.saturating_sub(points.len());
+                    row += &format!(" (Triangle {theirs})");
+                    ratio(theirs).into_iter().for_each(|r| self.over_triangle.push(r, name));
+                }
+                Some(_) => {}
+                None => self.triangle = Cgal::triangle(),
+            }
+        }
+        row
+    }
+
+    fn tell(&mut self) {
+        let Self { graphs, snapped, judged, .. } = self;
+        say(format!("{graphs} graphs, of which {snapped} cut at crossings; judged {judged:?}"));
+        tell_names("crossing, and too many or not settled in doubles", &self.refused);
+        for (method, names) in methods().iter().zip(&self.stopped) {
+            tell_names(&format!("{}: stopped by a limit", method.name), names);
+        }
+        self.over_triangle.tell("gabriel, Steiner points, ours / Triangle's -D");
+        for (number, method) in ["delaunay", "gabriel"].into_iter().enumerate() {
+            tell_names(&format!("{method}: CGAL does not answer"), &self.silent[number]);
+            let of_what = format!("{method}, Steiner points, ours / CGAL's");
+            if let Some(median) = self.ratios[number].tell(&of_what) {
+                assert!(median <= 1.0, "{method}: no more Steiner points than CGAL's");
+            }
+        }
+    }
 }

@@ -5,7 +5,9 @@
 //! | `workloads` | the corpus: workloads, inputs by hand, regressions |
 //! | `files` | the collected files |
 //! | `refined` | the same, refined |
+//! | `effort` | no input: bounds of effort, ratios |
 
+mod effort;
 mod files;
 mod refined;
 mod workloads;
@@ -29,7 +31,7 @@ fn judged(pslg: &Pslg, conforming: &Conforming, promise: Promise) -> Verdict {
 
 /// What the judge says of a refined triangulation that is complete, and of its angles.
 fn judged_with_angles(pslg: &Pslg, refined: &Refined, cosine_square: f64) -> Verdict {
-    let (inside, exceptions) = refined.sides();
+    let (inside, exceptions) = refined.promised();
     let angles = Angles { cosine_square, inside: &inside, exceptions: &exceptions };
     with_conformed(pslg, refined.triangulation(), Promise::Constrained, |conformed, options| {
         judge_refined(conformed, &angles, options)

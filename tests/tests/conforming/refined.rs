@@ -5,24 +5,24 @@ use std::time::Instant;
 
 use delone::Pslg;
 use delone::cdt::Fill;
-use delone::check::Promise;
-use delone::conforming::{LeftAlone, Limits, Reason, RefineOptions, Refined, refine};
+use delone::conforming::{Limits, Reason, RefineOptions, Refined, refine};
 use delone_tests::case::Case;
 use delone_tests::cgal::Cgal;
 use delone_tests::data::{documents, files, pslg_of};
 use delone_tests::{long, say};
 
-use crate::{judged, judged_with_angles};
-
-/// Vertices and seconds, ours over a peer's, by name of the input.
-type Ratios = Vec<(f64, f64, String)>;
+use crate::effort::{Deadline, Ratios, seconds, tell_names};
+use crate::judged_with_angles;
 
 /// The opponents, and what came of them.
 struct Table {
     degrees: f64,
     triangle: Option<Cgal>,
     cgal: Option<Cgal>,
-    ratios: [Ratios; 2],
+    /// By peer: vertices, and seconds.
+    ratios: [[Ratios; 2]; 2],
+    /// By peer: inputs of which it said nothing in ten seconds.
+    silent: [Vec<String>; 2],
     judged: usize,
     partial: Vec<String>,
     /// Where doubles were too coarse for all angles.
@@ -42,6 +42,7 @@ fn files_are_refined_and_judged() {
             triangle: Cgal::triangle(),
             cgal: Cgal::start(),
             ratios: Default::default(),
+            silent: Default::default(),
             judged: 0,
             partial: Vec::new(),
             coarse: Vec::new(),
@@ -61,18 +62,16 @@ impl Table {
     fn take(&mut self, case: &Case<2>) {
         let Some(pslg) = case.try_pslg() else { return };
         let Some((refined, seconds, options)) = self.refined(&pslg) else { return };
-        let name = format!("{} ({} sites)", case.name, pslg.sites().len());
+        let short = case.name.rsplit("pslg/").next().unwrap_or(&case.name);
+        let name = format!("{short} ({} sites)", pslg.sites().len());
         let ours = refined.triangulation().kernel().len();
         if !refined.is_complete() {
             return self.partial.push(name);
         }
-        let is_coarse = |left: &LeftAlone| left.reason == Reason::Unreachable;
-        let verdict = if refined.left_alone().iter().any(is_coarse) {
+        if refined.left_alone_for(Reason::Unreachable) > 0 {
             self.coarse.push(name.clone());
-            judged(&pslg, refined.triangulation(), Promise::Constrained)
-        } else {
-            judged_with_angles(&pslg, &refined, options.cosine_square())
-        };
+        }
+        let verdict = judged_with_angles(&pslg, &refined, options.cosine_square());
         assert!(verdict.ok, "{name}: {verdict}");
         self.judged += 1;
         let (degrees, points, pieces) = (self.degrees, pslg.sites().points(), pslg.subsegments());
@@ -82,13 +81,13 @@ impl Table {
             let Some(running) = peer.as_mut() else { continue };
             match running.refine(degrees, points, pieces) {
                 Some([theirs, cells]) if cells > 0 => {
-                    let ratio = ours as f64 / theirs as f64;
-                    let speed = seconds / running.seconds();
-                    self.ratios[number].push((ratio, speed, name.clone()));
+                    let [vertices, times] = &mut self.ratios[number];
+                    vertices.push(ours as f64 / theirs as f64, &name);
+                    times.push(seconds / running.seconds(), &name);
                 }
                 Some(_) => {}
                 None => {
-                    say(format!("{name}: peer {number} did not answer"));
+                    self.silent[number].push(name.clone());
                     *peer = again();
                 }
             }
@@ -107,47 +106,29 @@ impl Table {
         let mut last = None;
         for _ in 0..if long() { 3 } else { 1 } {
             let start = Instant::now();
-            let refined = refine(pslg, &Fill::Exterior, &options, &mut ()).ok()?;
+            let mut deadline = Deadline::after(seconds());
+            let refined = refine(pslg, &Fill::Exterior, &options, &mut deadline).ok()?;
             best = best.min(start.elapsed().as_secs_f64());
+            let is_complete = refined.is_complete();
             last = Some(refined);
+            if !is_complete {
+                break;
+            }
         }
         last.filter(|refined| refined.cells().next().is_some()).map(|last| (last, best, options))
     }
 
     fn tell(&mut self) {
-        let Self { degrees, judged, partial, coarse, .. } = self;
+        let Self { degrees, judged, .. } = self;
         say(format!("{degrees} degrees: {judged} graphs refined and judged"));
-        partial.iter().for_each(|name| say(format!("{degrees} degrees: a limit stopped {name}")));
-        coarse
-            .iter()
-            .for_each(|name| say(format!("{degrees} degrees: doubles too coarse for {name}")));
-        for (name, ratios) in ["Triangle", "CGAL"].iter().zip(&mut self.ratios) {
-            let n = ratios.len();
-            if n == 0 {
-                continue;
-            }
-            let mut row = format!("{degrees} degrees, ours / {name}'s, {n} graphs:");
-            ratios.sort_by(|a, b| a.1.total_cmp(&b.1));
-            let at = |place: usize| &ratios[place.min(n - 1)];
-            row += &format!(
-                " seconds {:.3} {:.3} {:.3};",
-                at(n / 10).1,
-                at(n / 2).1,
-                at(9 * n / 10).1
-            );
-            row += &format!(" slowest {:.2} {};", at(n).1, at(n).2);
-            ratios.sort_by(|a, b| a.0.total_cmp(&b.0));
-            let at = |place: usize| &ratios[place.min(n - 1)];
-            row += &format!(
-                " vertices {:.3} {:.3} {:.3};",
-                at(n / 10).0,
-                at(n / 2).0,
-                at(9 * n / 10).0
-            );
-            row += &format!(" most {:.3} {}", at(n).0, at(n).2);
-            let median = at(n / 2).0;
-            say(row);
-            assert!(median <= 1.05, "{name}: {median}");
+        tell_names(&format!("{degrees} degrees: stopped by a limit"), &self.partial);
+        tell_names(&format!("{degrees} degrees: doubles too coarse"), &self.coarse);
+        for (number, peer) in ["Triangle", "CGAL"].into_iter().enumerate() {
+            tell_names(&format!("{degrees} degrees: {peer} does not answer"), &self.silent[number]);
+            let [vertices, times] = &mut self.ratios[number];
+            times.tell(&format!("{degrees} degrees, seconds, ours / {peer}'s"));
+            let median = vertices.tell(&format!("{degrees} degrees, vertices, ours / {peer}'s"));
+            assert!(median.is_none_or(|median| median <= 1.05), "{peer}: {median:?}");
         }
     }
 }

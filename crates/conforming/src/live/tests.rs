@@ -17,11 +17,12 @@ fn split_at_random(graph: &Pslg, splits: usize, seed: u64) {
         let pick = random.below(live.pieces.len() as u64);
         let piece = u32::try_from(pick).unwrap();
         let [t0, t1] = live.parameters(piece);
+        let [t0, t1] = [t0, t1].map(|t| t.exact());
         let mut t = (t0 + &t1).half();
         for _ in 0..random.below(4) {
             t = (t + &t1).half();
         }
-        live.split_piece(piece, t, &mut ());
+        live.split_piece(piece, t.into(), &mut ());
         for (piece, &Piece { half, ends, .. }) in (0u32..).zip(&live.pieces) {
             assert_eq!(live.piece_of(half), Some(piece), "Inv 3");
             assert_eq!(live.piece_of(live.mesh.twin(half)), Some(piece), "Inv 3");
@@ -55,7 +56,7 @@ fn points_on_a_grid_keep_the_cdt() {
 fn thirds_are_exact() {
     let graph = pslg(&[[0.1, 0.1], [0.4, 0.3], [0.2, 0.9], [0.7, 0.0]], &[[0, 1]]);
     let mut live = live(&graph);
-    let p = live.split_piece(0, Dyadic::from(1.0 / 3.0), &mut ());
+    let p = live.split_piece(0, Parameter::Double(1.0 / 3.0), &mut ());
     let ends = live.segments[0].map(|v| v as usize);
     assert_eq!(live.kernel.orient(&[ends[0], p.index(), ends[1]]), delone_predicates::Sign::Zero);
     assert!(!live.kernel.is_exact_position(id(p)));

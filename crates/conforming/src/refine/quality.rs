@@ -10,18 +10,13 @@ use delone_predicates::{Dyadic, Sign};
 use super::centre::centre;
 use super::queue::Urgency;
 use super::{Centre, RefineOptions, SizeField};
-use crate::apexes::Apexes;
-use crate::live::{Live, Steiner, id};
-use crate::split::squared_radius;
+use crate::live::{Live, id};
 
 /// Relative, of a dozen roundings.
-const ROUNDING: f64 = 1e-14;
+pub(super) const ROUNDING: f64 = 1e-14;
 
-/// Bits up to which radii are equal that are so but for the precision of parameters.
-const EQUAL_BITS: i64 = 40;
-
-/// More than the relative difference of radii that agree in so many bits.
-const NEARLY: f64 = 1e-11;
+/// What is further off than this is off for certain, if edges are not too short.
+const CLEAR: f64 = 1e-6;
 
 /// What is wrong with a triangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,6 +37,8 @@ pub(super) struct Quality<'a> {
     size: Option<SizeField<'a>>,
     /// By how much rounded positions put off products of edges, relative, and times the shortest edge.
     rounding: f64,
+    /// The square of the shortest edge at which that is less than half of what is clear.
+    clear_from: f64,
 }
 
 impl<'a> Quality<'a> {
@@ -49,6 +46,7 @@ impl<'a> Quality<'a> {
     pub(super) fn new(options: &RefineOptions<'a>, far: f64) -> Self {
         let angle = options.angle_deg_min.clamp(0.0, 60.0).to_radians();
         let cosine_square = options.cosine_square();
+        let rounding = 32.0 * f64::EPSILON * far;
         let double = (2.0 * cosine_square - 1.0).max(0.0);
         Self {
             centre: options.centre,
@@ -57,7 +55,8 @@ impl<'a> Quality<'a> {
             cotangent: 1.0 / (angle / 2.0).tan(),
             area_max: options.area_max,
             size: options.size,
-            rounding: 32.0 * f64::EPSILON * far,
+            rounding,
+            clear_from: (rounding / (0.5 * CLEAR)).powi(2),
         }
     }
 
@@ -76,7 +75,20 @@ impl<'a> Quality<'a> {
     }
 
     /// Whether the least angle is less than the bound.
+    #[inline]
     fn is_skinny(&self, shape: &Shape, live: &Live, corners: [VertexId; 3]) -> bool {
+        let &Shape { uv, squares, .. } = shape;
+        let (left, right) = (uv * uv, self.cosine_square * squares);
+        // Far from the bound, and of edges long enough.
+        let is_far = (left - right).abs() > CLEAR * squares && right.is_normal();
+        if is_far && shape.shortest > self.clear_from {
+            return left > right && uv > 0.0;
+        }
+        self.is_nearly_skinny(shape, live, corners)
+    }
+
+    #[inline(never)]
+    fn is_nearly_skinny(&self, shape: &Shape, live: &Live, corners: [VertexId; 3]) -> bool {
         let &Shape { uv, squares, .. } = shape;
         let (left, right) = (uv * uv, self.cosine_square * squares);
         let is_clear = |slack: f64| {
@@ -132,35 +144,10 @@ impl<'a> Quality<'a> {
         let corners = from_shortest(live, corners).map(|v| live.kernel.position(id(v)));
         centre(corners, self.centre, self.cotangent)
     }
-
-    /// Whether the shortest edge joins two segments of an apex, at one distance from it: no point makes the angle larger.
-    pub(super) fn subtends_input_angle(
-        &self,
-        live: &Live,
-        apexes: &Apexes,
-        corners: [VertexId; 3],
-    ) -> bool {
-        let [p, q, r] = from_shortest(live, corners);
-        let [on_p, on_q] = [p, q].map(|v| live.steiner_of(v));
-        match (on_p, on_q) {
-            (Some(Steiner::On { segment, t }), _) => meet(live, apexes, (segment, p, t), q),
-            (_, Some(Steiner::On { segment, t })) => meet(live, apexes, (segment, q, t), p),
-            (None, None) => {
-                if apexes.bits(r).is_none() || !may_be_as_far(live, r, [p, q]) {
-                    return false;
-                }
-                let lengths = [p, q].map(|v| {
-                    live.segment_between([r, v]).map(|segment| live.squared_length(segment))
-                });
-                matches!(&lengths, [Some(of_p), Some(of_q)] if nearly_equal(of_p, of_q))
-            }
-            _ => false,
-        }
-    }
 }
 
 /// The signs of `u . v` and of `(u . v)^2 - c |u|^2 |v|^2` for the edges u, v from the first vertex to the two others, exactly.
-fn products(vertices: [VertexId; 3], c: f64, live: &Live) -> [Sign; 2] {
+pub(super) fn products(vertices: [VertexId; 3], c: f64, live: &Live) -> [Sign; 2] {
     let [z, a, b] = vertices.map(|v| live.kernel.exact(id(v)).x);
     let from = |[x, y]: [Dyadic; 2]| [x - &z[0], y - &z[1]];
     let (u, v) = (from(a), from(b));
@@ -197,47 +184,8 @@ impl Shape {
     }
 }
 
-/// Whether a vertex is as far from an apex of a segment as a point of another segment of it, which is at that parameter.
-fn meet(
-    live: &Live,
-    apexes: &Apexes,
-    (segment, p, t): (u32, VertexId, &Dyadic),
-    v: VertexId,
-) -> bool {
-    [0, 1].into_iter().any(|end| {
-        let apex = VertexId::new(live.segments[segment as usize][end] as usize);
-        if apexes.bits(apex).is_none() || !may_be_as_far(live, apex, [p, v]) {
-            return false;
-        }
-        let Some(other) = squared_radius(live, segment, apex, v) else { return false };
-        let t = if end == 0 { t.clone() } else { Dyadic::from(1) - t };
-        nearly_equal(&(&(&t * &t) * &live.squared_length(segment)), &other)
-    })
-}
-
-/// Whether two vertices may be at one distance from a site: `false` if doubles tell that they are not.
-fn may_be_as_far(live: &Live, z: VertexId, vertices: [VertexId; 2]) -> bool {
-    let z = live.kernel.position(id(z));
-    let [p, q] = vertices.map(|v| live.kernel.position(id(v)));
-    let [to_p, to_q] = [p, q].map(|v| dot(minus(v, z), minus(v, z)));
-    let far = [z, p, q].as_flattened().iter().fold(0.0, |m: f64, x| m.max(x.abs()));
-    let less = to_p.min(to_q);
-    let slack = NEARLY + 16.0 * f64::EPSILON * far / less.sqrt();
-    // Not where anything under- or overflows.
-    !((to_p - to_q).abs() > slack * less.max(f64::MIN_POSITIVE) && slack < 0.01 && far < 1e150)
-}
-
-/// Whether two squared radii are one up to the precision of parameters.
-fn nearly_equal(a: &Dyadic, b: &Dyadic) -> bool {
-    let difference = a.clone() - b;
-    match (difference.magnitude(), a.magnitude()) {
-        (Some(off), Some(of)) => off < of - EQUAL_BITS,
-        _ => true,
-    }
-}
-
 /// The corners in their order, the shortest edge being that from the first to the second.
-fn from_shortest(live: &Live, corners: [VertexId; 3]) -> [VertexId; 3] {
+pub(super) fn from_shortest(live: &Live, corners: [VertexId; 3]) -> [VertexId; 3] {
     rotated(corners, shortest_edge(corners.map(|v| live.kernel.position(id(v)))))
 }
 
@@ -264,10 +212,10 @@ fn rotated<T: Copy>([a, b, c]: [T; 3], first: usize) -> [T; 3] {
     }
 }
 
-fn minus(p: [f64; 2], q: [f64; 2]) -> [f64; 2] {
+pub(super) fn minus(p: [f64; 2], q: [f64; 2]) -> [f64; 2] {
     [p[0] - q[0], p[1] - q[1]]
 }
 
-fn dot(u: [f64; 2], v: [f64; 2]) -> f64 {
+pub(super) fn dot(u: [f64; 2], v: [f64; 2]) -> f64 {
     u[0] * v[0] + u[1] * v[1]
 }

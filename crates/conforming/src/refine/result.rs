@@ -86,18 +86,27 @@ impl Refined {
         &self.left_alone
     }
 
-    /// For each solid cell in their order whether it is inside, and the places in that order of those that are left alone at small
-    /// input angles: all others inside keep the bound on angles, unless doubles were too coarse or a limit was reached.
+    /// What is promised of angles, for a judge: for each solid cell in their order whether it counts, being inside and not out of reach
+    /// of doubles or cut off by a limit; and the places in that order of those that are left alone at small input angles. All others
+    /// that count keep the bound on angles.
     #[must_use]
-    pub fn sides(&self) -> (Vec<bool>, Vec<usize>) {
-        let inside = self.triangulation.cells().map(|cell| self.is_inside(cell)).collect();
-        let at_input_angles = |cell: &CellId| {
-            let place = self.left_alone.binary_search_by_key(cell, |left| left.cell);
-            place.is_ok_and(|place| self.left_alone[place].reason == Reason::InputAngle)
+    pub fn promised(&self) -> (Vec<bool>, Vec<usize>) {
+        let reason = |cell: CellId| {
+            let place = self.left_alone.binary_search_by_key(&cell, |left| left.cell);
+            place.ok().map(|place| self.left_alone[place].reason)
         };
-        let cells = self.triangulation.cells().enumerate();
-        let exceptions = cells.filter(|(_, cell)| at_input_angles(cell));
+        let counts =
+            |cell| self.is_inside(cell) && matches!(reason(cell), None | Some(Reason::InputAngle));
+        let cells = self.triangulation.cells();
+        let inside = cells.clone().map(counts).collect();
+        let exceptions = cells.enumerate().filter(|&(_, c)| reason(c) == Some(Reason::InputAngle));
         (inside, exceptions.map(|(place, _)| place).collect())
+    }
+
+    /// How many cells inside do not keep the bounds for this reason.
+    #[must_use]
+    pub fn left_alone_for(&self, reason: Reason) -> usize {
+        self.left_alone.iter().filter(|left| left.reason == reason).count()
     }
 
     /// The least angle of the cells inside, in degrees, in doubles; 180 if there are none.

@@ -64,16 +64,19 @@ fn nothing_inside_is_nothing_to_do() {
     }
 }
 
+/// A square of four units in the last place: of triangles whose corners are doubles none inside is as small as is asked for.
 #[test]
 fn doubles_too_coarse_are_reported() {
-    // Two units in the last place wide: there is hardly a double to put a vertex at.
-    let x = 1.0 + 2.0 * f64::EPSILON;
-    let graph = polygon(&[[1.0, 1.0], [x, 1.0], [x, 1.0 + 64.0 * f64::EPSILON]]);
-    let options = RefineOptions { angle_deg_min: 30.0, ..RefineOptions::default() };
+    let (ulp, high) = (f64::EPSILON, 1.0 + 4.0 * f64::EPSILON);
+    let graph = polygon(&[[1.0, 1.0], [high, 1.0], [high, high], [1.0, high]]);
+    let limits = Limits { vertices_max: 2_000 };
+    let options = RefineOptions { area_max: ulp * ulp / 8.0, limits, ..RefineOptions::default() };
     let refined = refine(&graph, &Fill::Exterior, &options, &mut ()).unwrap();
-    assert!(refined.is_complete() && !refined.left_alone().is_empty());
-    let verdict = judged(&graph, refined.triangulation(), Promise::Constrained);
-    assert!(verdict.ok, "{verdict}");
+    assert!(refined.is_complete() && refined.left_alone_for(Reason::Unreachable) > 0);
+    let (counts, exceptions) = refined.promised();
+    assert!(exceptions.is_empty() && counts.contains(&false), "no promise of what is out of reach");
+    let verdict = judged_with_angles(&graph, &refined, options.cosine_square());
+    assert!(verdict.ok, "all others keep the angle: {verdict}");
 }
 
 /// Between two chains that share their ends there are 1e-28, so that points on both have the same nearest doubles: what is in a lens and what is
@@ -123,7 +126,7 @@ fn free_vertices_come_and_go() {
         // As refinement ends: by what is left.
         let options = RefineOptions { angle_deg_min: 0.0, ..RefineOptions::default() };
         let work = Work {
-            apexes: Apexes::new(&cdt, &live.kernel, live.sites),
+            apexes: Apexes::new(&cdt, &live),
             live,
             quality: Quality::new(&options, 16.0),
             inside: vec![true],
@@ -163,4 +166,23 @@ fn a_point_on_a_bare_hull_stays() {
         let verdict = judged(&graph, refined.triangulation(), Promise::Constrained);
         assert!(verdict.ok, "{centre:?} {encroachment:?}: {verdict}");
     }
+}
+
+/// Three segments of an apex: the first two meet at 40 degrees, the last two at 64. Points at one distance from it on the former subtend the small
+/// angle, those on the latter do not, whatever else the apex has.
+#[test]
+fn only_small_angles_are_input_angles() {
+    let points = [[0.0, 0.0], [8.0, 0.0], [6.0, 5.0], [-2.0, 8.0]];
+    let graph = pslg(&points, &[[0, 1], [0, 2], [0, 3]]);
+    let cdt = cavity(&graph, &Options::default(), &mut ());
+    let mut live = Live::new(&cdt, &graph);
+    let apexes = Apexes::new(&cdt, &live);
+    let on = [0, 1, 2].map(|piece| {
+        let share = 1.0 / live.length(piece).unwrap();
+        let t = if live.segments[piece as usize][0] == 0 { share } else { 1.0 - share };
+        live.split_piece(piece, crate::parameter::Parameter::Double(t), &mut ())
+    });
+    let [r, s] = [1, 3].map(VertexId::new);
+    assert!(subtends_input_angle(&live, &apexes, [on[0], on[1], s]));
+    assert!(!subtends_input_angle(&live, &apexes, [on[1], on[2], r]));
 }

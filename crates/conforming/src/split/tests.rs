@@ -146,3 +146,34 @@ fn every_site_costs_a_point_on_every_segment() {
         assert!(counts[0] >= m * n / 2, "{m} {n}: {counts:?}");
     }
 }
+
+/// Fans of random segments, split at random: where doubles say a parameter, it is that of long numbers from both ends, but for a
+/// few roundings, far below the precision of any apex that doubles serve.
+#[test]
+fn doubles_say_what_long_numbers_say() {
+    let mut random = delone_workloads::Rng::new(11);
+    let mut said = [0; 2];
+    for round in 0..60 {
+        let tips = (0..4)
+            .map(|_| [0; 2].map(|_| f64::from(i32::try_from(random.below(2000)).unwrap() - 1000)));
+        let graph = fan(tips.filter(|tip| *tip != [0.0; 2]));
+        let cdt = delone_cdt::cavity(&graph, &delone_delaunay::Options::default(), &mut ());
+        let mut live = Live::new(&cdt, &graph);
+        let apexes = Apexes::new(&cdt, &live);
+        let placement = Placement { copies_radii: true, always_shells: round % 2 == 0 };
+        for _ in 0..20 {
+            let piece = u32::try_from(random.below(live.pieces.len() as u64)).unwrap();
+            let near = encroachers(&live, piece);
+            let long = exact_parameter(&live, &apexes, piece, &near, placement);
+            let short = doubles::parameter(&live, &apexes, piece, &near, placement);
+            said[usize::from(short.is_some())] += 1;
+            if let Some(short) = short {
+                let off = Dyadic::from(short) - &long;
+                let from_end = [long.clone(), Dyadic::from(1) - &long];
+                assert!(from_end.into_iter().all(|t| (&off * &off).scaled(2 * 28) < &t * &t));
+            }
+            live.split_piece(piece, parameter(&live, &apexes, piece, &near, placement), &mut ());
+        }
+    }
+    assert!(said[1] > 20 * said[0], "{said:?}");
+}

@@ -29,7 +29,14 @@ pub(crate) fn refine(arguments: &cli::Refine) -> Result<(), Failure> {
     let result = steiner::Result { subject, pslg, conforming, inside: Some(&refined) };
     let own =
         Own { schema: "delone.refine/1", keys: keys(&refined, arguments.adding.report.voice.json) };
-    adding.end(&result, own, || result.verdict_on_angles(&refined, options.cosine_square()))
+    adding.end(&result, own, || result.verdict_on_angles(&refined, options.cosine_square()))?;
+    match refined.left_alone_for(Reason::Unreachable) {
+        0 => Ok(()),
+        count => Err(Failure::Limit(format!(
+            "{}: doubles are too coarse for the bounds in {count} triangles; the result is valid, and keeps them elsewhere",
+            subject.name()
+        ))),
+    }
 }
 
 fn options<'a>(

@@ -104,6 +104,26 @@ fn refine_tells_the_keys_of_the_contract() {
     }
 }
 
+/// A square of four units in the last place: of triangles whose corners are doubles none inside is as small as is asked for. That is a
+/// limit, and no fault.
+#[test]
+fn doubles_too_coarse_are_a_limit() {
+    let folder = folder();
+    let (ulp, high) = (f64::EPSILON, 1.0 + 4.0 * f64::EPSILON);
+    let corners = format!("1 1 1\n2 {high:?} 1\n3 {high:?} {high:?}\n4 1 {high:?}\n");
+    let text = format!("4 2 0 0\n{corners}4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n");
+    let area = format!("{:e}", ulp * ulp / 8.0);
+    std::fs::write(folder.path().join("tiny.poly"), text).unwrap();
+    let words = ["refine", "tiny.poly", "--area-max", &area, "--json", "--check"];
+    let (status, out, error) = run(folder.path(), &words);
+    assert_eq!(status, 3, "{error}");
+    assert!(error.contains("doubles are too coarse"), "{error}");
+    let object: Value = serde_json::from_str(&out).unwrap();
+    assert_eq!((&object["complete"], &object["check"]["ok"]), (&true.into(), &true.into()));
+    let left = object["left_alone"].as_array().unwrap();
+    assert!(left.iter().any(|left| left["reason"] == "unreachable in doubles"), "{object}");
+}
+
 #[test]
 fn crossings_are_rounded_if_asked_to() {
     let folder = folder();

@@ -220,3 +220,27 @@ fn a_wrong_number_of_vertices_is_named() {
     kernel.push(&crossing(0, 1, 2, 3)).unwrap();
     let _ = kernel.orient(&[4usize, 0]);
 }
+
+/// The quick way makes the same vertices as the general one, and refuses the same.
+#[test]
+fn points_between_are_segment_points() {
+    let points = vec![[0.1, 0.7], [3.0, -1.0 / 3.0], [1e300, 5e-324]];
+    let (mut quick, mut general) = (Constructed::new(points.clone()), Constructed::new(points));
+    for ends in [[0, 1], [1, 0], [0, 2]] {
+        for t in [0.5, 0.1, 1.0 / 3.0, 1e-20, 1.0 - f64::EPSILON] {
+            let [a, b] = ends;
+            let segment_point = Construction::SegmentPoint { a, b, t: t.into() };
+            let (p, q) = (quick.push_between(ends, t), general.push(&segment_point));
+            let p = p.unwrap();
+            assert_eq!(Ok(p), q);
+            assert_eq!(quick.position(p), general.position(p));
+            assert_eq!(quick.is_exact_position(p), general.is_exact_position(p));
+            assert_eq!(
+                (quick.exact(p).x, quick.exact(p).w),
+                (general.exact(p).x, general.exact(p).w)
+            );
+        }
+    }
+    assert_eq!(quick.push_between([0, 3], 0.5), Err(ConstructionError::NotPlain { id: 3 }));
+    assert_eq!(quick.push_between([0, 99], 0.5), Err(ConstructionError::Unknown { id: 99 }));
+}

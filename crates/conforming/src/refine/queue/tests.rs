@@ -31,7 +31,8 @@ fn shorter_edges_then_smaller_angles_are_more_urgent() {
     };
     assert!(key(1.0, 0.3) < key(4.0, 1e-9), "edges first");
     assert!(key(1.0, 1e-3) < key(1.0, 0.3), "then angles");
-    assert_eq!(key(1.0, 0.0), key(1.9, 1e-12), "up to a factor");
+    assert_eq!(key(1.0, 0.0), key(1.4, 1e-12), "up to a factor");
+    assert!(key(1.0, 0.3) < key(1.5, 0.0), "which is less than 1.5");
     let extremes = [f64::MAX, f64::INFINITY, 0.0, 5e-324];
     assert!(extremes.into_iter().all(|x| {
         let [level, step] = key(x, x);
