@@ -227,10 +227,9 @@ impl Work<'_> {
         }
     }
 
-    /// Ghosts are in region 0, which never is.
     #[inline]
     fn is_inside(&self, cell: CellId) -> bool {
-        self.inside[self.live.region_at[cell.index()] as usize]
+        self.inside[self.live.region_at[cell.index()] as usize] && !self.live.mesh.is_ghost(cell)
     }
 
     /// Queues a triangle that does not keep the bounds.
