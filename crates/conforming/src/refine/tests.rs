@@ -186,3 +186,21 @@ fn only_small_angles_are_input_angles() {
     assert!(subtends_input_angle(&live, &apexes, [on[0], on[1], s]));
     assert!(!subtends_input_angle(&live, &apexes, [on[1], on[2], r]));
 }
+
+/// Where nothing is outside but beyond the hull, and corners are wide, no subsegment is left with a vertex in its disk.
+#[test]
+fn no_subsegment_is_left_encroached() {
+    let wide = polygon(&[[0.0, 0.0], [10.0, 0.0], [13.0, 7.0], [6.0, 12.0], [-3.0, 8.0]]);
+    // A site on top is in the disk of the bottom, whose middle then is in that of the longer part of the top.
+    let strip = polygon(&[[0.0, 0.0], [40.0, 0.0], [40.0, 1.0], [15.0, 1.0], [0.0, 1.0]]);
+    let areas = [8.0, 2.0, 0.5, 0.125].into_iter().flat_map(|area| [(&wide, area), (&strip, area)]);
+    for (graph, area_max) in areas.chain([(&strip, f64::INFINITY)]) {
+        let (encroachment, angle_deg_min) =
+            (Encroachment::Disk, if area_max < 9.0 { 20.7 } else { 0.0 });
+        let options =
+            RefineOptions { angle_deg_min, area_max, encroachment, ..RefineOptions::default() };
+        let refined = refine(graph, &Fill::Exterior, &options, &mut ()).unwrap();
+        let verdict = judged(graph, refined.triangulation(), Promise::EmptyDisks);
+        assert!(verdict.ok, "{area_max}: {verdict}");
+    }
+}
