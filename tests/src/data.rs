@@ -15,7 +15,8 @@ pub fn folder() -> Option<PathBuf> {
     folder.is_dir().then_some(folder)
 }
 
-/// All files below `part` of the folder, sorted. None, said aloud, if the folder is absent.
+/// All files below `part` of the folder, sorted; of these, if `DELONE_FILES` is set, those whose paths hold its text.
+/// None, said aloud, if the folder is absent.
 #[must_use]
 pub fn files(part: &str) -> Vec<PathBuf> {
     let Some(folder) = folder() else {
@@ -30,6 +31,8 @@ pub fn files(part: &str) -> Vec<PathBuf> {
             if path.is_dir() { folders.push(path) } else { found.push(path) }
         }
     }
+    let asked = std::env::var("DELONE_FILES").unwrap_or_default();
+    found.retain(|path| path.to_string_lossy().contains(&asked));
     found.sort();
     found
 }

@@ -21,7 +21,7 @@
 //! **In.** Nothing. The collected files are looked for in `../shared/data`, beside the workspace, or in the folder that
 //! `DELONE_DATA` names; CGAL at `target/peers/cgal` (`cargo xtask setup`). Gudhi in the
 //! Python that `DELONE_PYTHON` names, or in `python3`. What is not there is skipped, and said so.
-//! With `DELONE_LONG=1` the largest files are taken as well. `DELONE_CASES` and `DELONE_SEED` say how many generated inputs,
+//! With `DELONE_LONG=1` the largest files are taken as well; `DELONE_FILES` is a part of the paths of those that are taken. `DELONE_CASES` and `DELONE_SEED` say how many generated inputs,
 //! and which: `DELONE_CASES=1000000 cargo test --release -p delone-tests --test generated algorithms_agree`.
 //!
 //! **Modules.** [`case`] one input; [`corpus`] all of them, of [`hand`] and [`data`]; [`judge`] and [`cells`] what is

@@ -19,6 +19,7 @@
 //! |---|---|---|
 //! | right or obtuse angles | no cut at the site: the disks touch there | `protection_of_a_square_and_a_cross` |
 //! | parts too short for doubles to halve | left to the adaptive method | `protection_leaves_slivers_to_the_limit` |
+//! | a million cuts of one segment | the probe is asked before each | `protection_stops_between_any_two_cuts` |
 
 use delone_mesh::VertexId;
 use delone_predicates::{Dyadic, Metric, Sign};
@@ -46,13 +47,14 @@ pub(crate) fn protect(
     let mut vertices = live.sites;
     for segment in 0..live.segments.len() {
         let room = limits.vertices_max.saturating_sub(vertices);
-        let Some(cuts) = scene.cuts(live, segment, room).filter(|_| probe.goes_on()) else {
-            return false;
-        };
+        let Some(cuts) = scene.cuts(live, segment, room) else { return false };
         vertices += cuts.len();
         // Before the first split, pieces and segments have the same numbers.
         let mut piece = PieceId::try_from(segment).expect("segments are fewer than ids");
         for t in cuts {
+            if !probe.goes_on() {
+                return false;
+            }
             live.split_piece(piece, t.into(), probe);
             piece = PieceId::try_from(live.pieces.len() - 1).expect("pieces are fewer than ids");
         }

@@ -1,4 +1,5 @@
 use delone_check::Promise;
+use delone_probe::{Event, Probe};
 
 use crate::testing::{judged, pslg};
 use crate::{ConformOptions, Limits, conform_by_protection};
@@ -29,4 +30,30 @@ fn protection_leaves_slivers_to_the_limit() {
     let conforming = conform_by_protection(&wedge(1e-9), &options, &mut ());
     assert!(!conforming.is_complete(), "a billion points");
     assert!(judged(&wedge(1e-9), &conforming, Promise::Constrained).ok);
+}
+
+/// Goes on so many times.
+struct Patience(usize);
+
+impl Probe for Patience {
+    fn on(&mut self, _: Event) {}
+
+    fn goes_on(&mut self) -> bool {
+        let goes_on = self.0 > 0;
+        self.0 = self.0.saturating_sub(1);
+        goes_on
+    }
+}
+
+#[test]
+fn protection_stops_between_any_two_cuts() {
+    let wedge = pslg(&[[0.0, 0.0], [64.0, 1.0], [64.0, 0.0]], &[[0, 1], [0, 2]]);
+    let options = ConformOptions::default();
+    let all = conform_by_protection(&wedge, &options, &mut ()).steiner_points().len();
+    assert!(all > 100, "both segments are cut often: {all}");
+    for patience in [0, 1, 2, 50, all - 1] {
+        let stopped = conform_by_protection(&wedge, &options, &mut Patience(patience));
+        assert_eq!((stopped.steiner_points().len(), stopped.is_complete()), (patience, false));
+        assert!(judged(&wedge, &stopped, Promise::Constrained).ok);
+    }
 }
