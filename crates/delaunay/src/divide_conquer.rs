@@ -39,7 +39,7 @@ use delone_mesh::{FacetId, Mesh, VertexId};
 use delone_predicates::{Kernel, Sign};
 use delone_probe::{Event, Probe};
 use delone_sites::Sites;
-use rayon::prelude::{IntoParallelRefIterator, ParallelIterator};
+use rayon::prelude::{IntoParallelRefIterator, ParallelIterator, ParallelSliceMut};
 
 use cuts::{Axis, Item, LEAF, POOL, THREAD};
 use merge::{Hull, Work};
@@ -100,7 +100,7 @@ fn laid_out(
 ///
 /// # Panics
 /// As [`divide_conquer`].
-pub fn divide_conquer_in_parallel<K: Kernel<2, Reordered: Sync> + Sync>(
+pub fn divide_conquer_in_parallel<K: Kernel<2, Reordered: Send + Sync> + Sync>(
     kernel: &K,
     sites: &Sites<2>,
     threads: NonZeroUsize,
@@ -117,8 +117,8 @@ pub fn divide_conquer_in_parallel<K: Kernel<2, Reordered: Sync> + Sync>(
         let order: Vec<u32> =
             items.par_iter().map(|item| sites.sorted()[item.rank() as usize]).collect();
         drop(items);
-        let kernel = kernel.reordered(&order);
-        let mut arrays = Arrays::new(order.len());
+        let arrays = || Arrays::new_in_parallel(order.len());
+        let (kernel, mut arrays) = rayon::join(|| kernel.reordered(&order), arrays);
         let patch = Patch::new(&mut arrays.apexes, &mut arrays.twins);
         let hull = solve_in_parallel(patch, &kernel, 0, count(&order), Axis::X);
         drop(kernel);
@@ -220,51 +220,65 @@ fn chain<K: Kernel<2>, P: Probe>(work: &mut Work<'_, K, P>, i: Place, j: Place) 
     Hull { bottom: first, top: first }
 }
 
-/// All triangles, ghosts included.
+/// All triangles, ghosts included. What is not in use yet is 0.
 struct Arrays {
-    apexes: Vec<Place>,
-    twins: Vec<Edge>,
+    apexes: Vec<VertexId>,
+    twins: Vec<FacetId<2>>,
 }
 
 impl Arrays {
     fn new(sites: usize) -> Self {
+        let facets = Self::facets(sites);
+        Self {
+            apexes: vec![VertexId::from_raw(0); facets],
+            twins: vec![FacetId::from_raw(0); facets],
+        }
+    }
+
+    /// The same on two threads: what a system gives is cleared first.
+    fn new_in_parallel(sites: usize) -> Self {
+        let facets = Self::facets(sites);
+        let (apexes, twins) = rayon::join(
+            || vec![VertexId::from_raw(0); facets],
+            || vec![FacetId::from_raw(0); facets],
+        );
+        Self { apexes, twins }
+    }
+
+    /// How many facets the triangles of so many sites have, ghosts included. (Inv 1)
+    fn facets(sites: usize) -> usize {
         let facets = 3 * (2 * sites - 2);
         assert!(
             u32::try_from(facets).is_ok(),
             "{sites} sites have more facets than ids of 32 bits"
         );
-        Self { apexes: vec![0; facets], twins: vec![0; facets] }
+        facets
     }
 
     /// Whether the outermost edge has the outside on both sides: all sites are in line.
     fn is_chain(&self, hull: Hull) -> bool {
-        self.apexes[self.twins[hull.top as usize] as usize] == GHOST
+        self.apexes[self.twins[hull.top as usize].index()].raw() == GHOST
     }
 
     /// As a mesh of sites, given in the order of the places.
-    fn into_mesh(self, order: &[u32]) -> Mesh<2> {
-        Mesh::from_parts(2, corners(self.apexes, order), handles(self.twins))
+    fn into_mesh(mut self, order: &[u32]) -> Mesh<2> {
+        name(&mut self.apexes, order);
+        Mesh::from_parts(2, self.apexes, self.twins)
     }
 
-    /// The same on two threads.
-    fn into_mesh_in_parallel(self, order: &[u32]) -> Mesh<2> {
-        let (corners, twins) = rayon::join(|| corners(self.apexes, order), || handles(self.twins));
-        Mesh::from_parts(2, corners, twins)
+    /// The same on the threads there are.
+    fn into_mesh_in_parallel(mut self, order: &[u32]) -> Mesh<2> {
+        self.apexes.par_chunks_mut(THREAD).for_each(|apexes| name(apexes, order));
+        Mesh::from_parts(2, self.apexes, self.twins)
     }
 }
 
-/// The sites of places; in place, for handles are as wide as numbers.
-fn corners(apexes: Vec<Place>, order: &[u32]) -> Vec<VertexId> {
-    let vertex = |place: Place| match order.get(place as usize) {
-        Some(&site) => VertexId::new(site as usize),
-        None => VertexId::GHOST,
-    };
-    apexes.into_iter().map(vertex).collect()
-}
-
-/// Edges as facets; in place.
-fn handles(twins: Vec<Edge>) -> Vec<FacetId<2>> {
-    twins.into_iter().map(|e| FacetId::from_index(e as usize)).collect()
+/// Puts sites for places.
+fn name(apexes: &mut [VertexId], order: &[u32]) {
+    for vertex in apexes {
+        *vertex =
+            order.get(vertex.index()).map_or(VertexId::GHOST, |&site| VertexId::from_raw(site));
+    }
 }
 
 /// Sites in line as a mesh of dimension 1: a circle of segments, through the sites in order and the ghost.

@@ -31,6 +31,20 @@ fn overflow() -> ! {
 
 macro_rules! index {
     () => {
+        /// The handle that is stored as this number.
+        #[inline]
+        #[must_use]
+        pub const fn from_raw(raw: u32) -> Self {
+            Self(raw)
+        }
+
+        /// The number that it is stored as: the index, or 2^32 - 1 for what is none.
+        #[inline]
+        #[must_use]
+        pub const fn raw(self) -> u32 {
+            self.0
+        }
+
         /// The index, from 0.
         #[inline]
         #[must_use]

@@ -67,8 +67,9 @@ impl Bounds {
 
     /// For calls on these points, all of which are looked at: exact if they lie on a small lattice.
     pub(crate) fn of_all<const D: usize>(points: &[[f64; D]]) -> Self {
-        let bounds = Self::of(points);
-        match exact_degrees(points) {
+        let extents = extents(points);
+        let bounds = Self::in_box(extents);
+        match exact_degrees(points, extents) {
             None => bounds,
             Some([orient, lifted]) => Self {
                 orient: if orient { EXACT } else { bounds.orient },
@@ -79,9 +80,13 @@ impl Bounds {
 
     /// For calls on points in the box of these.
     pub(crate) fn of<const D: usize>(points: &[[f64; D]]) -> Self {
-        let extents = extents(points);
+        Self::in_box(extents(points))
+    }
+
+    /// For calls on points in a box of these extents; negative ones are those of no points.
+    fn in_box<const D: usize>(extents: [f64; D]) -> Self {
         match *extents.as_slice() {
-            _ if points.is_empty() => Self::NONE,
+            _ if extents.iter().any(|&extent| extent < 0.0) => Self::NONE,
             [x, y] => {
                 let minor = x * y + x * y + GUARD;
                 let height = x * x + y * y + GUARD;
@@ -108,8 +113,9 @@ impl Bounds {
 /// The bound of what is not rounded: any magnitude is over it.
 const EXACT: f64 = -1.0;
 
-/// Whether the orientations and the lifted determinants of these points are exact in doubles; `None` for "neither".
-fn exact_degrees<const D: usize>(points: &[[f64; D]]) -> Option<[bool; 2]> {
+/// Whether the orientations and the lifted determinants of these points, whose box has these `extents`, are exact in doubles; `None`
+/// for "neither".
+fn exact_degrees<const D: usize>(points: &[[f64; D]], extents: [f64; D]) -> Option<[bool; 2]> {
     /// The permanents of [`Bounds::of`] for extents of 1 in all axes, and the degrees.
     const fn permanents(axes: usize) -> Option<[(f64, i32); 2]> {
         match axes {
@@ -119,14 +125,16 @@ fn exact_degrees<const D: usize>(points: &[[f64; D]]) -> Option<[bool; 2]> {
         }
     }
     let permanents = permanents(D)?;
-    let widest = extents(points).into_iter().fold(0.0, f64::max);
+    let widest = extents.into_iter().fold(0.0, f64::max);
     // The unit g, until there are too many of it.
     let mut unit = i32::MAX;
     for &coordinate in points.iter().flatten().filter(|&&x| x != 0.0) {
         let (_, exponent) = odd(coordinate);
-        unit = unit.min(exponent);
-        if widest / 2f64.powi(unit) > 16384.0 {
-            return None;
+        if exponent < unit {
+            unit = exponent;
+            if widest / 2f64.powi(unit) > 16384.0 {
+                return None;
+            }
         }
     }
     // In this range g^5 is a normal number, and 2^53 of them are finite.

@@ -4,7 +4,7 @@ use std::fmt;
 use std::num::NonZeroUsize;
 
 use crate::order::low_half;
-use crate::sorting::{sort_along, sort_in_parallel};
+use crate::sorting::{are_finite, collected, id, sorted};
 
 /// More points than this are worth a pool of threads, which takes as long to start as a thousand of them.
 const POOL: usize = 1 << 15;
@@ -74,7 +74,7 @@ impl<const D: usize> Sites<D> {
     /// # Errors
     /// If a coordinate is not finite (all of them are listed), or there are 2^32 - 2 points or more.
     pub fn new(points: &[[f64; D]]) -> Result<Self, SitesError> {
-        Self::sorted_by(points, |points, items| sort_along(0, points, items))
+        Self::in_parts(points, 1)
     }
 
     /// The same, to the bit, on up to `threads` threads.
@@ -93,29 +93,26 @@ impl<const D: usize> Sites<D> {
         let pool = || rayon::ThreadPoolBuilder::new().num_threads(threads.get()).build().ok();
         // A system that gives no threads gets the same sites from one.
         let Some(pool) = (!alone).then(pool).flatten() else { return Self::new(points) };
-        Self::sorted_by(points, |points, items| pool.install(|| sort_in_parallel(points, items)))
+        pool.install(|| Self::in_parts(points, threads.get()))
     }
 
-    /// Checks and takes the points; `sort` puts their indices into order, and tells whether no two points are equal.
-    fn sorted_by(
-        points: &[[f64; D]],
-        sort: impl FnOnce(&[[f64; D]], &mut [u128]) -> bool,
-    ) -> Result<Self, SitesError> {
-        let count = u32::try_from(points.len())
+    /// Checks and takes the points, in `parts` at a time.
+    fn in_parts(points: &[[f64; D]], parts: usize) -> Result<Self, SitesError> {
+        let count = points.len();
+        u32::try_from(count)
             .ok()
             .filter(|&count| count < u32::MAX - 1)
-            .ok_or(SitesError::TooMany(points.len()))?;
-        let bad = not_finite(points);
-        if !bad.is_empty() {
-            return Err(SitesError::NotFinite(bad));
+            .ok_or(SitesError::TooMany(count))?;
+        if !are_finite(points, parts) {
+            return Err(SitesError::NotFinite(not_finite(points)));
         }
-        let points: Vec<[f64; D]> = points.iter().map(|p| p.map(|c| c + 0.0)).collect();
-        let mut items: Vec<u128> = (0..count).map(u128::from).collect();
-        let distinct = sort(&points, &mut items);
-        let sorted: Vec<u32> = items.into_iter().map(low_half).collect();
+        let points = collected(count, parts, |i| points[i].map(|c| c + 0.0));
+        let (items, distinct) = sorted(&points, parts);
+        let sorted = collected(count, parts, |i| low_half(items[i]));
+        drop(items);
         if distinct {
-            let all: Vec<u32> = (0..count).collect();
-            return Ok(Self { points, site_of: all.clone(), input_of: all, sorted });
+            let all = || collected(count, parts, id);
+            return Ok(Self { points, site_of: all(), input_of: all(), sorted });
         }
         Ok(Self::merged(&points, sorted))
     }

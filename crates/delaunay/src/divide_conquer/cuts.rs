@@ -115,10 +115,11 @@ pub(super) fn cut(items: &mut [Item]) {
     halve(items, &mut scratch, Axis::X);
 }
 
-/// [`cut`] on the threads there are.
+/// [`cut`] on the threads there are. The halves of the first cut are where they are: each finds space to work in for itself.
 pub(super) fn cut_in_parallel(items: &mut [Item]) {
-    let mut scratch = items.to_vec();
-    halve_in_parallel(items, &mut scratch, Axis::X);
+    let (left, right) = items.split_at_mut(items.len() / 2);
+    let cut = |half: &mut [Item]| halve_in_parallel(half, &mut half.to_vec(), Axis::Y);
+    rayon::join(|| cut(left), || cut(right));
 }
 
 /// Cuts a block, given as much space to work in.

@@ -8,7 +8,10 @@
 //! ```
 //!
 //! An *edge* is a facet's number, `3 slot + corner`, opposite that corner: `apexes` and `twins` are the two arrays of a
-//! [`delone_mesh::Mesh`], with plain numbers for handles. Numbers are global; a patch holds those from `first` on.
+//! [`delone_mesh::Mesh`], but for the vertices, which are places until the end. Numbers are global; a patch holds those from
+//! `first` on.
+
+use delone_mesh::{FacetId, VertexId};
 
 /// The number of a facet of a triangle.
 pub(super) type Edge = u32;
@@ -22,8 +25,8 @@ pub(super) const GHOST: Place = u32::MAX;
 /// The slots of a block. See the module's text.
 #[derive(Debug)]
 pub(super) struct Patch<'a> {
-    apexes: &'a mut [Place],
-    twins: &'a mut [Edge],
+    apexes: &'a mut [VertexId],
+    twins: &'a mut [FacetId<2>],
     first: Edge,
 }
 
@@ -41,7 +44,7 @@ pub(super) const fn prev(e: Edge) -> Edge {
 
 impl<'a> Patch<'a> {
     /// A patch of the facets from number 0 on.
-    pub(super) const fn new(apexes: &'a mut [Place], twins: &'a mut [Edge]) -> Self {
+    pub(super) const fn new(apexes: &'a mut [VertexId], twins: &'a mut [FacetId<2>]) -> Self {
         Self { apexes, twins, first: 0 }
     }
 
@@ -58,7 +61,7 @@ impl<'a> Patch<'a> {
 
     /// The corners of all slots, in use or not.
     pub(super) fn triangles(&self) -> impl Iterator<Item = [Place; 3]> + '_ {
-        self.apexes.as_chunks::<3>().0.iter().copied()
+        self.apexes.as_chunks::<3>().0.iter().map(|corners| corners.map(VertexId::raw))
     }
 
     /// How many triangles fit.
@@ -74,25 +77,25 @@ impl<'a> Patch<'a> {
     /// The vertex opposite `e`.
     #[inline(always)]
     pub(super) const fn apex(&self, e: Edge) -> Place {
-        self.apexes[self.at(e)]
+        self.apexes[self.at(e)].raw()
     }
 
     /// The same edge seen from the other side.
     #[inline(always)]
     pub(super) const fn twin(&self, e: Edge) -> Edge {
-        self.twins[self.at(e)]
+        self.twins[self.at(e)].raw()
     }
 
     #[inline(always)]
     pub(super) const fn set_apex(&mut self, e: Edge, vertex: Place) {
-        self.apexes[self.at(e)] = vertex;
+        self.apexes[self.at(e)] = VertexId::from_raw(vertex);
     }
 
     /// Makes two edges twins.
     #[inline(always)]
     pub(super) const fn glue(&mut self, e: Edge, f: Edge) {
-        self.twins[self.at(e)] = f;
-        self.twins[self.at(f)] = e;
+        self.twins[self.at(e)] = FacetId::from_raw(f);
+        self.twins[self.at(f)] = FacetId::from_raw(e);
     }
 
     /// Puts a triangle into `slot`; returns its last edge, from `a` to `b`.
