@@ -102,6 +102,7 @@ fn sort_ties<const D: usize>(axis: usize, points: &[[f64; D]], items: &mut [u128
 
 /// Sorts items: many are thrown into buckets by the upper bits in which they differ, for close doubles are spread in these as they
 /// are in size.
+#[expect(clippy::cast_possible_truncation, reason = "a key is of 64 bits, and buckets are few")]
 fn sort_by_bits(items: &mut [u128]) {
     if items.is_sorted() {
         return; // of equal coordinates, as on grids
