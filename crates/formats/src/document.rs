@@ -85,7 +85,7 @@ impl Document {
     ///
     /// # Errors
     /// [`ReadError::Dimension`] if the document is not in the plane; see [`Self::projected`].
-    pub fn points_2d(&self) -> Result<Vec<[f64; 2]>, ReadError> {
+    pub fn points_2d(&self) -> Result<&[[f64; 2]], ReadError> {
         self.points_of::<2>()
     }
 
@@ -93,16 +93,16 @@ impl Document {
     ///
     /// # Errors
     /// [`ReadError::Dimension`] if the document is not in space; see [`Self::raised`].
-    pub fn points_3d(&self) -> Result<Vec<[f64; 3]>, ReadError> {
+    pub fn points_3d(&self) -> Result<&[[f64; 3]], ReadError> {
         self.points_of::<3>()
     }
 
-    fn points_of<const D: usize>(&self) -> Result<Vec<[f64; D]>, ReadError> {
+    fn points_of<const D: usize>(&self) -> Result<&[[f64; D]], ReadError> {
         if self.dimension != D {
             let found = self.dimension;
             return Err(ReadError::Dimension { at: at(0), expected: D, found }.in_file(&self.name));
         }
-        Ok(self.points.as_chunks::<D>().0.to_vec())
+        Ok(self.points.as_chunks::<D>().0)
     }
 
     /// The document with coordinate `axis` left out: a document in space becomes one in the plane.

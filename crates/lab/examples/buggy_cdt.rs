@@ -23,7 +23,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let words: Vec<String> = std::env::args().collect();
     let [_, given, written] = &words[..] else { return Err("buggy_cdt IN OUT".into()) };
     let mut document = read_path(Path::new(given), None)?.pop().ok_or("no input")?;
-    let points = document.points_2d()?;
+    let points = document.points_2d()?.to_vec();
     let segments: Vec<Edge> = document.segments.iter().map(|s| s.map(|v| v as usize)).collect();
     let mut cdt = Cdt { points, triangles: Vec::new(), fixed: Vec::new() };
     cdt.sweep();

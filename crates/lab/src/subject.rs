@@ -1,5 +1,7 @@
 //! A validated input: what an algorithm is run on, and in what terms its result is told.
 
+use std::num::NonZeroUsize;
+
 use delone_formats::Document;
 use delone_sites::{Arrangement, Noded, Pslg, PslgError, Sites, Snapped, WeightedSites};
 use delone_workloads::{Input, Points};
@@ -65,12 +67,20 @@ impl Subject {
 
     /// Takes points alone, with their weights if they have any.
     pub(crate) fn points(document: Document) -> Result<Self, Failure> {
+        Self::points_in_parallel(document, NonZeroUsize::MIN)
+    }
+
+    /// The same on up to so many threads.
+    pub(crate) fn points_in_parallel(
+        document: Document,
+        threads: NonZeroUsize,
+    ) -> Result<Self, Failure> {
         let body = if document.dimension == 3 {
             let points = document.points_3d().map_err(Failure::input)?;
-            sites_body(&document, &points, Body::Space, Body::WeightedSpace)?
+            sites_body(&document, points, threads, Body::Space, Body::WeightedSpace)?
         } else {
             let points = document.points_2d().map_err(Failure::input)?;
-            sites_body(&document, &points, Body::Plane, Body::WeightedPlane)?
+            sites_body(&document, points, threads, Body::Plane, Body::WeightedPlane)?
         };
         Ok(Self { document, body })
     }
@@ -170,7 +180,7 @@ impl Subject {
 pub(crate) type Lists = (Vec<[f64; 2]>, Vec<[usize; 2]>);
 
 pub(crate) fn lists(document: &Document) -> Result<Lists, Failure> {
-    let points = document.points_2d().map_err(Failure::input)?;
+    let points = document.points_2d().map_err(Failure::input)?.to_vec();
     Ok((points, document.segments.iter().map(|ends| ends.map(|end| end as usize)).collect()))
 }
 
@@ -207,11 +217,14 @@ fn take_pieces(document: &mut Document, snapped: &Snapped) {
 fn sites_body<const D: usize>(
     document: &Document,
     points: &[[f64; D]],
+    threads: NonZeroUsize,
     plain: fn(Sites<D>) -> Body,
     weighted: fn(WeightedSites<D>) -> Body,
 ) -> Result<Body, Failure> {
     match &document.weights {
-        None => Sites::new(points).map(plain).map_err(|error| error.to_string()),
+        None => {
+            Sites::new_in_parallel(points, threads).map(plain).map_err(|error| error.to_string())
+        }
         Some(weights) => {
             WeightedSites::new(points, weights).map(weighted).map_err(|error| error.to_string())
         }

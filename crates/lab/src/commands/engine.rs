@@ -76,7 +76,7 @@ impl Task {
         options: &Options,
     ) -> Result<(Subject, Triangulation), Failure> {
         let subject = match self {
-            Self::Delaunay => Subject::points(document)?,
+            Self::Delaunay => Subject::points_in_parallel(document, options.threads)?,
             Self::Constrained => Subject::graph(document)?,
             Self::FromPoints(from_points, (points, segments)) => {
                 let built = from_points(points, segments);

@@ -24,7 +24,7 @@ pub(crate) fn delaunay(arguments: &cli::Triangulate) -> Result<(), Failure> {
     let start = Instant::now();
     let mut document = input::read(&arguments.source.input, arguments.source.format.as_deref())?;
     input::take_weights(&mut document, arguments.weights.file.as_deref())?;
-    let subject = Subject::points(document)?;
+    let subject = Subject::points_in_parallel(document, arguments.run.threads)?;
     if arguments.voronoi && subject.document.dimension != 2 {
         return Err(Failure::input("--voronoi is for the plane, and the input is in space"));
     }

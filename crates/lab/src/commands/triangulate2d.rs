@@ -91,7 +91,7 @@ impl<'s> Soup<'s> {
             }
             _ => unreachable!("a soup is a graph"),
         };
-        let mut vertices = subject.document.points_2d().map_err(Failure::input)?;
+        let mut vertices = subject.document.points_2d().map_err(Failure::input)?.to_vec();
         vertices.extend(subject.added());
         let complex = used(&vertices, &interior.fv);
         Ok(Self { subject, interior, vertices, complex })

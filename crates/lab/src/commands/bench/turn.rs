@@ -168,13 +168,13 @@ pub(super) fn verdict(
     let outcome = match files::input(given).map_err(unread)? {
         Input::Plane(case) => {
             let points = output.points_2d().map_err(|error| wrong(error.to_string()))?;
-            let names = check::names(&case.points, &points, &output);
+            let names = check::names(&case.points, points, &output);
             let names = names.map_err(|failure| wrong(failure.to_string()))?;
             judged(&case, &named(output.triangles.as_flattened(), &names), &Options::foreign())
         }
         Input::Space(case) => {
             let points = output.points_3d().map_err(|error| wrong(error.to_string()))?;
-            let names = check::names(&case.points, &points, &output);
+            let names = check::names(&case.points, points, &output);
             let names = names.map_err(|failure| wrong(failure.to_string()))?;
             judged(&case, &named(output.tets.as_flattened(), &names), &Options::foreign())
         }

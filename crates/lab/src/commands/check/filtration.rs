@@ -13,9 +13,9 @@ pub(super) fn judge(path: &Path, given: &Document, options: &Options) -> Result<
     let claim = read(path)?;
     let weights = given.weights.as_deref();
     Ok(if given.dimension == 3 {
-        judge_alpha(&given.points_3d().map_err(Failure::input)?, weights, &claim, options)
+        judge_alpha(given.points_3d().map_err(Failure::input)?, weights, &claim, options)
     } else {
-        judge_alpha(&given.points_2d().map_err(Failure::input)?, weights, &claim, options)
+        judge_alpha(given.points_2d().map_err(Failure::input)?, weights, &claim, options)
     })
 }
 

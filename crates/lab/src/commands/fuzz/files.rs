@@ -32,10 +32,10 @@ pub(crate) fn input(document: &Document) -> Result<Input, Failure> {
         return Err(Failure::input(format!("{}: a coordinate is {x}", document.name)));
     }
     if document.dimension == 3 {
-        let points = document.points_3d().map_err(Failure::input)?;
+        let points = document.points_3d().map_err(Failure::input)?.to_vec();
         return Ok(Input::Space(Case::of_points(NAME, points)));
     }
-    let points = document.points_2d().map_err(Failure::input)?;
+    let points = document.points_2d().map_err(Failure::input)?.to_vec();
     Ok(Input::Plane(Case::new(NAME, points, document.segments.clone())))
 }
 

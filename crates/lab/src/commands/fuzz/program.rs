@@ -115,10 +115,10 @@ impl Program {
         let unread = |error| broken("output", "read", error);
         if given.dimension == 3 {
             let points = (given.points_3d().map_err(unread)?, output.points_3d().map_err(unread)?);
-            self.named(&points.0, &points.1, &output)
+            self.named(points.0, points.1, &output)
         } else {
             let points = (given.points_2d().map_err(unread)?, output.points_2d().map_err(unread)?);
-            self.named(&points.0, &points.1, &output)
+            self.named(points.0, points.1, &output)
         }
     }
 

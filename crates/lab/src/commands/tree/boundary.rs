@@ -37,12 +37,12 @@ impl Boundary {
             let faces = faces(document);
             refuse_empty(document, faces.len(), "faces")?;
             let points = document.points_3d().map_err(Failure::input)?;
-            return Ok(Self::Space(Solid::new(&points, &faces, rule).map_err(Failure::input)?));
+            return Ok(Self::Space(Solid::new(points, &faces, rule).map_err(Failure::input)?));
         }
         let segments = segments(document);
         refuse_empty(document, segments.len(), "segments")?;
         let points = document.points_2d().map_err(Failure::input)?;
-        Ok(Self::Plane(Shape::new(&points, &segments, rule).map_err(Failure::input)?))
+        Ok(Self::Plane(Shape::new(points, &segments, rule).map_err(Failure::input)?))
     }
 
     pub(super) fn tree(&self, depth: u8, leaves: Leaves) -> Result<Grown, Failure> {

@@ -22,12 +22,12 @@ pub(super) fn divide(arguments: &Divide) -> Result<(), Failure> {
     output::check_paths(arguments.svg.as_deref())?;
     let document = read(&arguments.source, arguments.voice.quiet)?;
     let points = document.points_2d().map_err(Failure::input)?;
-    let frame = Frame::around(&points, arguments.depth).map_err(Failure::input)?;
+    let frame = Frame::around(points, arguments.depth).map_err(Failure::input)?;
     let segments = segments(&document);
-    let pm = |rule| of_pm(&PmTree::new(&points, &segments, &frame, rule));
+    let pm = |rule| of_pm(&PmTree::new(points, &segments, &frame, rule));
     let divided = match arguments.by {
         By::Pr => {
-            let tree = PrTree::new(&points, &frame, arguments.capacity).map_err(Failure::input)?;
+            let tree = PrTree::new(points, &frame, arguments.capacity).map_err(Failure::input)?;
             Divided {
                 leaves: tree.leaves().clone(),
                 crowded: tree.crowded().count(),
