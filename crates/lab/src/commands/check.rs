@@ -68,7 +68,7 @@ fn judge_plane(
     let points = given.points_2d().map_err(Failure::input)?;
     let names = names(points, output.points_2d().map_err(Failure::input)?, output)?;
     let (dimension, cells) = cells(lone(given), output, &names);
-    let complex = Complex { points: points, dimension, cells: &cells };
+    let complex = Complex { points, dimension, cells: &cells };
     let edges: Vec<[u32; 2]> =
         output.segments.iter().map(|ends| ends.map(|id| names[id as usize])).collect();
     Ok(match arguments.kind {
@@ -91,7 +91,7 @@ fn judge_space(
     let points = given.points_3d().map_err(Failure::input)?;
     let names = names(points, output.points_3d().map_err(Failure::input)?, output)?;
     let (dimension, cells) = cells(lone(given), output, &names);
-    let complex = Complex { points: points, dimension, cells: &cells };
+    let complex = Complex { points, dimension, cells: &cells };
     Ok(match arguments.kind {
         cli::Claim::Regular => judge_regular(&complex, weights(given)?, &options(arguments)),
         _ => judge_delaunay(&complex, &options(arguments)),
