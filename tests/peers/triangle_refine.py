@@ -2,7 +2,7 @@
 
 In: requests as those of cgal.cpp, of two kinds:
   refine DEGREES SIZE N M    then N lines  x y, then M lines  i j    (SIZE is not looked at)
-  conform gabriel N M        the same lines; what is outside of segments is left out
+  conform gabriel N M        the same lines; what no segment is around is left out
 Out: `triangle`, when it is ready; for each request `counted VERTICES CELLS SECONDS`. After ten seconds the program ends.
 """
 

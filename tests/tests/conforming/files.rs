@@ -3,7 +3,9 @@
 
 use delone::Pslg;
 use delone::check::Promise;
-use delone::conforming::{ConformOptions, Conforming, Limits, Method, methods};
+use delone::conforming::{
+    ConformOptions, Conforming, Encroached, Limits, Method, conform, methods,
+};
 use delone::sites::Snapped;
 use delone_tests::case::Case;
 use delone_tests::cgal::Cgal;
@@ -34,7 +36,7 @@ struct Table {
     stopped: [Vec<String>; 3],
     /// By method: steiner points, ours over CGAL's.
     ratios: [Ratios; 2],
-    /// Of `gabriel`, over Triangle's.
+    /// Of `gabriel` in a box, over Triangle's.
     over_triangle: Ratios,
     /// By method: of which CGAL said nothing in ten seconds.
     silent: [Vec<String>; 2],
@@ -77,6 +79,23 @@ fn graph_of(case: &Case<2>) -> Option<(Pslg, bool)> {
     Some((Pslg::new(&cut.points, &cut.segments).ok()?, true))
 }
 
+/// The graph and a box around it, as far away as it is wide.
+fn boxed(pslg: &Pslg) -> Option<Pslg> {
+    let mut points = pslg.sites().points().to_vec();
+    let ends = |axis: usize| {
+        let low = points.iter().fold(f64::INFINITY, |low, point| low.min(point[axis]));
+        (low, points.iter().fold(f64::NEG_INFINITY, |high, point| high.max(point[axis])))
+    };
+    let (x, y) = (ends(0), ends(1));
+    let away = (x.1 - x.0).max(y.1 - y.0);
+    let (x, y) = ((x.0 - away, x.1 + away), (y.0 - away, y.1 + away));
+    let first = points.len();
+    points.extend([[x.0, y.0], [x.1, y.0], [x.1, y.1], [x.0, y.1]]);
+    let given = pslg.subsegments().iter().map(|ends| ends.map(|v| v as usize));
+    let sides = (0..4).map(|side| [first + side, first + (side + 1) % 4]);
+    Pslg::new(&points, &given.chain(sides).collect::<Vec<_>>()).ok()
+}
+
 impl Table {
     fn take(&mut self, case: &Case<2>) {
         let name = case.name.rsplit("pslg/").next().unwrap_or(&case.name);
@@ -92,7 +111,7 @@ impl Table {
             row += &format!(" | {} {ours}", method.name);
             if !result.is_complete() {
                 row += " INCOMPLETE";
-            } else if number < 2 && !pslg.subsegments().is_empty() {
+            } else if number < 2 && result.mesh().dimension() == Some(2) {
                 row += &self.beside_peers(number, method.name, &pslg, ours, name);
             }
         }
@@ -143,19 +162,31 @@ impl Table {
                 }
             }
         }
-        // It leaves out what is outside: no cells, nothing to compare.
-        if let Some(peer) = self.triangle.as_mut().filter(|_| method == "gabriel") {
-            match peer.conform(method, points, pieces) {
-                Some([vertices, cells]) if cells > 0 => {
-                    let theirs = vertices.saturating_sub(points.len());
-                    row += &format!(" (Triangle {theirs})");
-                    ratio(theirs).into_iter().for_each(|r| self.over_triangle.push(r, name));
-                }
-                Some(_) => {}
-                None => self.triangle = Cgal::triangle(),
-            }
+        if method == "gabriel" {
+            row += &self.beside_triangle(pslg, name);
         }
         row
+    }
+
+    /// What Triangle takes, and what we do, of the graph in a box: it leaves out what no segment is around.
+    fn beside_triangle(&mut self, pslg: &Pslg, name: &str) -> String {
+        let Some(peer) = &mut self.triangle else { return String::new() };
+        let Some(graph) = boxed(pslg) else { return String::new() };
+        let (points, pieces) = (graph.sites().points(), graph.subsegments());
+        let Some([vertices, _]) = peer.conform("gabriel", points, pieces) else {
+            self.triangle = Cgal::triangle();
+            return String::new();
+        };
+        let options = ConformOptions::default();
+        let ours = conform(&graph, &Encroached, &options, &mut Deadline::after(seconds()));
+        if !ours.is_complete() {
+            return String::new();
+        }
+        let (ours, theirs) = (ours.steiner_points().len(), vertices.saturating_sub(points.len()));
+        if ours + theirs > 0 {
+            self.over_triangle.push(ours as f64 / theirs as f64, name);
+        }
+        format!(" (in a box {ours}, Triangle {theirs})")
     }
 
     fn tell(&mut self) {
@@ -165,7 +196,7 @@ impl Table {
         for (method, names) in methods().iter().zip(&self.stopped) {
             tell_names(&format!("{}: stopped by a limit", method.name), names);
         }
-        self.over_triangle.tell("gabriel, Steiner points, ours / Triangle's -D");
+        self.over_triangle.tell("gabriel, in a box, Steiner points, ours / Triangle's -D");
         for (number, method) in ["delaunay", "gabriel"].into_iter().enumerate() {
             tell_names(&format!("{method}: CGAL does not answer"), &self.silent[number]);
             let of_what = format!("{method}, Steiner points, ours / CGAL's");
