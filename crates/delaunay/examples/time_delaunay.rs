@@ -55,9 +55,14 @@ fn numbers(words: &[String], name: &str, default: &str) -> Vec<usize> {
 /// One workload at one size.
 fn time<const D: usize>(workload: &str, points: Vec<[f64; D]>, ask: &Ask) {
     let n = points.len();
-    let (take, sites) = median(ask.runs, n, || Sites::new(&points).expect("finite points"));
+    for &threads in &ask.threads {
+        let threads = NonZeroUsize::new(threads).expect("a thread");
+        let sites = || Sites::new_in_parallel(&points, threads).expect("finite points");
+        let (take, sites) = median(ask.runs, n, sites);
+        println!("{workload:10} {:8} {:16} {take}  threads {threads}", sites.len(), "sites");
+    }
+    let sites = Sites::new(&points).expect("finite points");
     drop(points); // the sites have their own
-    println!("{workload:10} {:8} {:16} {take}", sites.len(), "Sites::new");
     let asked = |name: &str| ask.names.iter().any(|asked| asked == name);
     for algorithm in algorithms::<D>().iter().filter(|algorithm| asked(algorithm.name)) {
         for &threads in &ask.threads {
