@@ -72,6 +72,9 @@ pub(crate) trait Integer: Number {
 
     /// The sign; never in doubt.
     fn exact_sign(&self) -> Sign;
+
+    /// The magnitude as a double times a power of two, right but for the double's last bits.
+    fn magnitude(&self) -> (f64, i32);
 }
 
 /// A way to compute with differences of coordinates.

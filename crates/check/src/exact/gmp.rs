@@ -38,4 +38,10 @@ impl Integer for Gmp {
             Ordering::Greater => Sign::Positive,
         }
     }
+
+    fn magnitude(&self) -> (f64, i32) {
+        let dropped = self.significant_bits().saturating_sub(64);
+        let kept = Self::from(self >> dropped).to_f64().abs();
+        (kept, i32::try_from(dropped).unwrap_or(i32::MAX))
+    }
 }

@@ -2,6 +2,7 @@
 
 use super::{Integer, Number, Sign};
 use dashu_int::IBig;
+use dashu_int::ops::{BitTest, UnsignedAbs};
 
 impl Number for IBig {
     fn plus(&self, other: &Self) -> Self {
@@ -38,5 +39,11 @@ impl Integer for IBig {
         } else {
             Sign::Negative
         }
+    }
+
+    fn magnitude(&self) -> (f64, i32) {
+        let size = self.unsigned_abs();
+        let dropped = size.bit_len().saturating_sub(64);
+        ((size >> dropped).to_f64().value(), i32::try_from(dropped).unwrap_or(i32::MAX))
     }
 }

@@ -60,4 +60,8 @@ impl Integer for i128 {
             std::cmp::Ordering::Greater => Sign::Positive,
         }
     }
+
+    fn magnitude(&self) -> (f64, i32) {
+        (self.unsigned_abs() as f64, 0)
+    }
 }
