@@ -176,25 +176,24 @@ impl<I: Integer> Path<'_, I> {
     }
 }
 
-/// The distance of a vertex from the line through two others, if it is not on it.
+/// The distance of a vertex from the line through two others, if it is not on it: the least double there is, if it is less.
 fn distance<I: Integer>(t: &Triangulation<'_, 2, I>, v: u32, [a, b]: [u32; 2]) -> Option<f64> {
     let ([cross, _], low) = t.space.products(a, b, v);
     let ([_, square], _) = t.space.products(a, b, b);
     if cross.exact_sign() == Sign::Zero {
         return None;
     }
-    // cross / sqrt(square), in units of 2^low.
+    // cross / sqrt(square), in units of 2^low; each is a double times a power of two, that of the square an even one.
     let ((cross, times), (square, twice)) = (cross.magnitude(), square.magnitude());
-    let odd = twice.rem_euclid(2);
-    let root = (square * f64::from(1 + odd)).sqrt();
-    let mut exponent = times - (twice - odd) / 2 + low;
+    let root = (square * f64::from(1 + twice % 2)).sqrt();
+    let mut exponent = low.saturating_add_unsigned(times).saturating_sub_unsigned(twice / 2);
     let mut distance = cross / root;
     while exponent != 0 {
         let step = exponent.clamp(-512, 512);
         distance *= 2f64.powi(step);
         exponent -= step;
     }
-    Some(distance)
+    Some(distance.max(f64::from_bits(1)))
 }
 
 #[cfg(test)]

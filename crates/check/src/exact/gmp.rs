@@ -1,6 +1,6 @@
 //! The second big integers, under the feature `rug`: those of GMP.
 
-use super::{Integer, Number, Sign};
+use super::{DIGITS, Integer, Number, Sign};
 use rug::Integer as Gmp;
 use std::cmp::Ordering;
 
@@ -39,9 +39,8 @@ impl Integer for Gmp {
         }
     }
 
-    fn magnitude(&self) -> (f64, i32) {
-        let dropped = self.significant_bits().saturating_sub(64);
-        let kept = Self::from(self >> dropped).to_f64().abs();
-        (kept, i32::try_from(dropped).unwrap_or(i32::MAX))
+    fn magnitude(&self) -> (f64, u32) {
+        let dropped = self.significant_bits().saturating_sub(DIGITS);
+        ((self.clone().abs() >> dropped).to_f64(), dropped)
     }
 }

@@ -1,6 +1,6 @@
 //! The default big integers: `dashu-int`, in pure Rust.
 
-use super::{Integer, Number, Sign};
+use super::{DIGITS, Integer, Number, Sign};
 use dashu_int::IBig;
 use dashu_int::ops::{BitTest, UnsignedAbs};
 
@@ -41,9 +41,9 @@ impl Integer for IBig {
         }
     }
 
-    fn magnitude(&self) -> (f64, i32) {
+    fn magnitude(&self) -> (f64, u32) {
         let size = self.unsigned_abs();
-        let dropped = size.bit_len().saturating_sub(64);
-        ((size >> dropped).to_f64().value(), i32::try_from(dropped).unwrap_or(i32::MAX))
+        let dropped = size.bit_len().saturating_sub(DIGITS as usize);
+        ((size >> dropped).to_f64().value(), u32::try_from(dropped).unwrap_or(u32::MAX))
     }
 }

@@ -12,7 +12,7 @@
 //! smaller. [`fits`] demands that this stays below `2^126`. The operations wrap, so that not even a
 //! wrong proof could panic.
 
-use super::{Integer, Number, Sign};
+use super::{DIGITS, Integer, Number, Sign};
 
 /// Whether `i128` holds every number of the predicates of `k`-simplices in `ambient` dimensions
 /// with `bits`-bit coordinates.
@@ -61,7 +61,9 @@ impl Integer for i128 {
         }
     }
 
-    fn magnitude(&self) -> (f64, i32) {
-        (self.unsigned_abs() as f64, 0)
+    fn magnitude(&self) -> (f64, u32) {
+        let size = self.unsigned_abs();
+        let dropped = (Self::BITS - size.leading_zeros()).saturating_sub(DIGITS);
+        ((size >> dropped) as f64, dropped)
     }
 }

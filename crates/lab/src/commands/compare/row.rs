@@ -5,7 +5,7 @@
 
 use std::time::{Duration, Instant};
 
-use delone_check::Verdict;
+use delone_check::{Level, Verdict};
 use delone_conforming::{ConformOptions, Conforming, Limits, Method};
 use delone_delaunay::Options;
 use delone_probe::Counts;
@@ -65,7 +65,9 @@ impl Row {
         match &self.added {
             _ if !verdict.ok => "not proved".to_owned(),
             Some(added) if !added.is_complete => format!("stopped: {level}"),
-            Some(added) if added.empties_disks => format!("{level}, empty disks"),
+            Some(added) if added.empties_disks && verdict.level == Level::Conforming => {
+                format!("{level}, empty disks")
+            }
             _ => level.to_owned(),
         }
     }
