@@ -18,11 +18,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     let constrained = task == "cdt";
     let segments = if constrained { document.segments.clone() } else { Vec::new() };
     if document.dimension == 3 {
-        let points = document.points_3d()?;
+        let points = document.points_3d()?.to_vec();
         let cells = build(space(&peers), name, &Task { points, segments }, times)?;
         document.tets = cells.as_chunks::<4>().0.to_vec();
     } else {
-        let points = document.points_2d()?;
+        let points = document.points_2d()?.to_vec();
         let cells = build(plane(&peers, constrained, 1), name, &Task { points, segments }, times)?;
         document.triangles = cells.as_chunks::<3>().0.to_vec();
     }

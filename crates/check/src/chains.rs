@@ -10,6 +10,7 @@
 
 use crate::cells::Triangulation;
 use crate::exact::{Integer, Sign};
+use crate::facets::Facets;
 use crate::fault::Fault;
 use crate::sites::{witness, witnesses};
 use crate::space::Space;
@@ -26,7 +27,30 @@ pub(crate) struct Edges {
 }
 
 impl Edges {
-    pub(crate) fn new(list: Vec<[u32; 2]>, points: usize) -> Self {
+    /// The edges of a complex; in dimension 2 these are its facets, in the same order.
+    pub(crate) fn of<I: Integer>(t: &Triangulation<'_, 2, I>, facets: &Facets<'_>) -> Self {
+        let mut list: Vec<[u32; 2]> = match t.dimension {
+            2 => facets
+                .groups()
+                .filter_map(|g| <[u32; 2]>::try_from(facets.vertices(&g[0])).ok())
+                .collect(),
+            1 => t
+                .cells
+                .chunks_exact(2)
+                .enumerate()
+                .filter(|(cell, _)| t.signs[*cell].is_some())
+                .map(|(_, ends)| [ends[0].min(ends[1]), ends[0].max(ends[1])])
+                .collect(),
+            _ => Vec::new(),
+        };
+        if t.dimension < 2 {
+            list.sort_unstable();
+            list.dedup();
+        }
+        Self::new(list, t.space.points.len())
+    }
+
+    fn new(list: Vec<[u32; 2]>, points: usize) -> Self {
         let mut starts = vec![0; points + 1];
         for &v in list.iter().flatten() {
             starts[v as usize + 1] += 1;
@@ -43,6 +67,11 @@ impl Edges {
             }
         }
         Self { list, starts, neighbours, by_direction: vec![false; points] }
+    }
+
+    /// The neighbours of `v`.
+    pub(crate) fn around(&self, v: u32) -> &[u32] {
+        &self.neighbours[self.starts[v as usize]..self.starts[v as usize + 1]]
     }
 
     /// The number of the edge between two vertices.
@@ -83,12 +112,23 @@ pub(crate) struct Cover {
     pub(crate) net: i64,
 }
 
-/// K2: the segments over each edge.
+impl Cover {
+    /// One more segment, from the smaller vertex to the larger or back.
+    fn pass(&mut self, segment: usize, forwards: bool) {
+        self.first.get_or_insert(segment);
+        self.times += 1;
+        self.net += if forwards { 1 } else { -1 };
+    }
+}
+
+/// K2: the segments over each edge. Where no edge leads on in line, a `detour` may: the vertices after that one, up to the other
+/// end of the segment.
 pub(crate) fn cover<I: Integer>(
     t: &Triangulation<'_, 2, I>,
     edges: &mut Edges,
     segments: &[[u32; 2]],
     report: &mut Report,
+    mut detour: impl FnMut(&Edges, usize, [u32; 2]) -> Option<Vec<u32>>,
 ) -> Vec<Cover> {
     let points = t.space.points;
     let mut covered = vec![Cover::default(); edges.list.len()];
@@ -105,15 +145,19 @@ pub(crate) fn cover<I: Integer>(
                 t.space.compare(at, next) == forwards
                     && t.space.compare(next, end) != forwards.reverse()
             });
-            let Some((next, edge)) = next.and_then(|w| Some((w, edges.number(at, w)?))) else {
+            let Some(path) =
+                next.map(|next| vec![next]).or_else(|| detour(edges, segment, [at, end]))
+            else {
                 let (ends, stuck) = (witnesses(points, ends), witness(points, at));
                 report.fault(Fault::BrokenSegment { segment, ends, stuck });
                 break;
             };
-            covered[edge].first.get_or_insert(segment);
-            covered[edge].times += 1;
-            covered[edge].net += if at < next { 1 } else { -1 };
-            at = next;
+            for next in path {
+                if let Some(edge) = edges.number(at, next) {
+                    covered[edge].pass(segment, at < next);
+                }
+                at = next;
+            }
         }
     }
     covered

@@ -18,8 +18,10 @@ use crate::verdict::{Level, Report, Verdict};
 use std::collections::BTreeSet;
 
 mod angles;
+mod doubles;
 
 pub use angles::{Angles, judge_refined};
+pub use doubles::judge_conforming_doubles;
 
 /// A vertex that was added.
 #[derive(Clone, Copy, Debug, PartialEq)]

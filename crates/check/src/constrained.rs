@@ -49,31 +49,13 @@ fn judge<I: Integer>(
     check_triangulation(&t, &facets, &mut report);
     let tiles = report.is_clean();
 
-    let mut list: Vec<[u32; 2]> = match t.dimension {
-        2 => facets
-            .groups()
-            .filter_map(|g| <[u32; 2]>::try_from(facets.vertices(&g[0])).ok())
-            .collect(),
-        1 => t
-            .cells
-            .chunks_exact(2)
-            .enumerate()
-            .filter(|(cell, _)| t.signs[*cell].is_some())
-            .map(|(_, ends)| [ends[0].min(ends[1]), ends[0].max(ends[1])])
-            .collect(),
-        _ => Vec::new(),
-    };
-    if t.dimension < 2 {
-        list.sort_unstable();
-        list.dedup();
-    }
-    let mut edges = Edges::new(list, t.space.points.len());
+    let mut edges = Edges::of(&t, &facets);
     let mut covered = Vec::new();
     report.check_given(
         tiles,
         "K2, K4: every segment is an exactly collinear chain of edges",
         |report| {
-            covered = cover(&t, &mut edges, segments, report);
+            covered = cover(&t, &mut edges, segments, report, |_, _, _| None);
         },
     );
     report.check_given(tiles, "K3: the flagged edges are those on segments", |report| {

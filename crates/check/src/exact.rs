@@ -72,7 +72,13 @@ pub(crate) trait Integer: Number {
 
     /// The sign; never in doubt.
     fn exact_sign(&self) -> Sign;
+
+    /// The first [`DIGITS`] binary digits of the magnitude, and how many follow them.
+    fn magnitude(&self) -> (f64, u32);
 }
+
+/// Binary digits that a double holds.
+pub(crate) const DIGITS: u32 = 53;
 
 /// A way to compute with differences of coordinates.
 pub(crate) trait Arithmetic {

@@ -87,6 +87,8 @@ pub enum Fault {
     WrongSide { cell: Simplex, inside: bool },
     /// A Steiner point is not strictly between the ends of a segment, or on no segment.
     OffSegment { point: u32, ends: Simplex },
+    /// A point that edges lead through along a segment is this far off it, to the nearest double but for its last bits.
+    BesideSegment { segment: usize, ends: Simplex, point: Witness, distance: f64 },
     /// A vertex is in the closed diametral disk of a subsegment.
     EncroachedEdge { edge: Simplex, by: Witness },
     /// A cell inside has an angle that is less than the least, and is no exception.
@@ -152,7 +154,7 @@ impl Fault {
             Self::FlagNotEdge { .. } => "flag-not-edge",
             Self::FillLeaks { .. } => "fill-leaks",
             Self::WrongSide { .. } => "wrong-side",
-            Self::OffSegment { .. } => "off-segment",
+            Self::OffSegment { .. } | Self::BesideSegment { .. } => "off-segment",
             Self::EncroachedEdge { .. } => "encroached-edge",
             Self::SmallAngle { .. } => "small-angle",
             Self::NoException { .. } => "no-exception",

@@ -74,11 +74,10 @@ pub fn judge_fill(
     if t.dimension != 2 || !report.is_clean() {
         return report.verdict();
     }
-    let list = facets.groups().filter_map(|g| <[u32; 2]>::try_from(facets.vertices(&g[0])).ok());
-    let mut edges = Edges::new(list.collect(), t.space.points.len());
+    let mut edges = Edges::of(&t, &facets);
     let mut covered = Vec::new();
     report.check("K2, K4: every segment is an exactly collinear chain of edges", |report| {
-        covered = cover(&t, &mut edges, segments, report);
+        covered = cover(&t, &mut edges, segments, report, |_, _, _| None);
     });
     let walls = Walls::new(&t, &facets, &covered);
     report.check("F1: the fill changes across segments only", |report| {

@@ -30,6 +30,7 @@
 //! | [`judge_constrained`] | constrained Delaunay in the plane | the same, plus all chains |
 //! | [`judge_arranged`] | the same where segments cross, crossings being vertices | sorts, big ratios |
 //! | [`judge_conforming`] | the same with Steiner points, exactly on their segments | sorts, big ratios |
+//! | [`judge_conforming_doubles`] | the same, all vertices in doubles: how far off their segments these are | as `judge_constrained` |
 //! | [`judge_refined`] | that, and the least angle, but for exceptions at small input angles | the same |
 //! | [`judge_fill`] | what is inside, by a rule | a ray for each region |
 //! | [`judge_alpha`] | alpha filtrations: every simplex's value | the first two, and 2^D determinants a simplex |
@@ -83,7 +84,10 @@ mod verdict;
 pub use alpha::judge_alpha;
 pub use arranged::{Arranged, judge_arranged};
 pub use cells::Complex;
-pub use conforming::{Angles, Conformed, Promise, SteinerPoint, judge_conforming, judge_refined};
+pub use conforming::{
+    Angles, Conformed, Promise, SteinerPoint, judge_conforming, judge_conforming_doubles,
+    judge_refined,
+};
 pub use constrained::judge_constrained;
 pub use delaunay::judge_delaunay;
 pub use fault::{Fault, Simplex, Witness};

@@ -145,6 +145,16 @@ impl<'a, const D: usize, I: Integer> Space<'a, D, I> {
         lexicographic(&self.points[u as usize], &self.points[v as usize])
     }
 
+    /// `(p - o) x (q - o)` and `(p - o) . (q - o)` along the first two axes, in units of the square of this power of two.
+    pub(crate) fn products(&self, o: u32, p: u32, q: u32) -> ([I; 2], i32) {
+        let away = |v: u32, x: usize| {
+            self.exact.difference(self.points[v as usize][x], self.points[o as usize][x])
+        };
+        let ([px, py], [qx, qy]) = ([away(p, 0), away(p, 1)], [away(q, 0), away(q, 1)]);
+        let cross = px.times(&qy).minus(&py.times(&qx));
+        ([cross, px.times(&qx).plus(&py.times(&qy))], self.exact.low())
+    }
+
     /// The sign of `det [F_i - c]` with row `replaced`, if any, replaced by the direction of `ray`,
     /// where `c` is the barycentre of `star.cell` and `F` is `face`.
     pub(crate) fn star(&self, star: &Star<'_>) -> Sign {

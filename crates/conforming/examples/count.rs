@@ -29,7 +29,7 @@ fn main() {
             let segments: Vec<[usize; 2]> =
                 document.segments.iter().map(|ends| ends.map(|v| v as usize)).collect();
             let Ok(points) = document.points_2d() else { continue };
-            let Ok(pslg) = Pslg::new(&points, &segments) else { continue };
+            let Ok(pslg) = Pslg::new(points, &segments) else { continue };
             if pslg.sites().len() <= sites_max && row(&document.name, &pslg, degrees, count, folder)
             {
                 count += 1;

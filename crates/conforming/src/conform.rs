@@ -133,14 +133,7 @@ pub fn conform(
     options: &ConformOptions,
     probe: &mut impl Probe,
 ) -> Conforming {
-    let cdt = cavity(pslg, &Options::default(), probe);
-    if cdt.mesh().dimension() != Some(2) {
-        return Conforming::chain(&cdt, pslg);
-    }
-    let mut live = Live::new(&cdt, pslg);
-    let apexes = Apexes::new(&cdt, &live);
-    let is_complete = split_all(&mut live, &apexes, criterion, options, probe);
-    Conforming::new(live, is_complete)
+    from_cdt(pslg, probe, |live, apexes, probe| split_all(live, apexes, criterion, options, probe))
 }
 
 /// The non-adaptive method: see `saalfeld.rs`.
@@ -149,14 +142,25 @@ pub fn conform_by_protection(
     options: &ConformOptions,
     probe: &mut impl Probe,
 ) -> Conforming {
+    from_cdt(pslg, probe, |live, apexes, probe| {
+        saalfeld::protect(live, apexes, options.limits, probe)
+            && split_all(live, apexes, &Encroached, options, probe)
+    })
+}
+
+/// The constrained triangulation, after `work` on it, which says whether it is all done. Sites in line need none.
+fn from_cdt<P: Probe>(
+    pslg: &Pslg,
+    probe: &mut P,
+    work: impl FnOnce(&mut Live, &Apexes, &mut P) -> bool,
+) -> Conforming {
     let cdt = cavity(pslg, &Options::default(), probe);
     if cdt.mesh().dimension() != Some(2) {
         return Conforming::chain(&cdt, pslg);
     }
     let mut live = Live::new(&cdt, pslg);
     let apexes = Apexes::new(&cdt, &live);
-    let is_complete = saalfeld::protect(&mut live, &apexes, options.limits, probe)
-        && split_all(&mut live, &apexes, &Encroached, options, probe);
+    let is_complete = work(&mut live, &apexes, probe);
     Conforming::new(live, is_complete)
 }
 

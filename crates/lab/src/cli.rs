@@ -13,7 +13,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
-pub(crate) use steiner::{Adding, Conform, Crossings as Rounding, Refine, Refinement};
+pub(crate) use steiner::{Adding, Bounds, Conform, Crossings as Rounding, Refine, Refinement};
 
 pub(crate) use bench::{Bench, BenchAction, Engine};
 pub(crate) use fuzz::{Fuzz, Program, Shrink};
@@ -301,9 +301,12 @@ pub(crate) struct Compare {
     /// Write the table for a paper
     #[arg(long, value_name = "FILE", conflicts_with = "scaling")]
     pub(crate) latex: Option<PathBuf>,
-    /// Only these algorithms
+    /// Only these algorithms. Methods with Steiner points run if they are named alone: delaunay, gabriel, saalfeld, or conforming
+    /// for all of them; each is judged by its own promise, and they need not agree
     #[arg(long, value_delimiter = ',', value_name = "NAMES")]
     pub(crate) only: Vec<String>,
+    #[command(flatten)]
+    pub(crate) bounds: Bounds,
     /// Sites of the built-in suite's inputs, about
     #[arg(short, default_value_t = 10_000)]
     pub(crate) n: usize,
@@ -341,7 +344,7 @@ pub(crate) struct Compare {
 
 #[derive(Args)]
 pub(crate) struct Check {
-    /// The input: points, and segments for a CDT
+    /// The input: points, and segments for a constrained or conforming triangulation
     pub(crate) input: PathBuf,
     /// The triangulation to judge
     pub(crate) output: PathBuf,
@@ -363,6 +366,9 @@ pub(crate) enum Claim {
     Delaunay,
     /// A constrained Delaunay triangulation
     Cdt,
+    /// A conforming Delaunay triangulation with Steiner points in doubles: how far each is off its segment is told if the output names
+    /// its subsegments, as .poly, .edge and .lar.json do
+    Conforming,
     /// The regular triangulation of points with weights
     Regular,
     /// The alpha filtration, as `delone alpha --filtration` lists it: each simplex with its squared radius

@@ -2,12 +2,12 @@
 
 use delone_cdt::Cdt;
 use delone_check::{
-    Angles, Arranged, Complex, Conformed, Links, Options, Promise, SteinerPoint, Verdict,
-    judge_arranged, judge_conforming, judge_constrained, judge_delaunay, judge_links,
-    judge_refined, judge_regular,
+    Arranged, Complex, Links, Options, Promise, Verdict, judge_arranged, judge_constrained,
+    judge_delaunay, judge_links, judge_regular,
 };
-use delone_conforming::{Conforming, SteinerPoint as Added};
+use delone_conforming::{Conforming, Refined};
 use delone_delaunay::{Delaunay, Regular};
+use delone_laws::judge as laws;
 use delone_mesh::Mesh;
 use delone_sites::{Arrangement, Pslg, Sites, WeightedSites};
 
@@ -74,47 +74,12 @@ pub(crate) fn arranged(graph: &Arrangement, result: &Cdt) -> Verdict {
 
 /// Judges a triangulation with Steiner points, these being exact.
 pub(crate) fn conforming(pslg: &Pslg, result: &Conforming, promise: Promise) -> Verdict {
-    with_conformed(pslg, result, promise, judge_conforming)
+    joined(links(result.mesh()), laws::conforming(pslg, result, promise))
 }
 
-/// Judges a refined triangulation of dimension 2, and its angles.
-pub(crate) fn refined(pslg: &Pslg, result: &Conforming, angles: &Angles<'_>) -> Verdict {
-    with_conformed(pslg, result, Promise::Constrained, |conformed, options| {
-        judge_refined(conformed, angles, options)
-    })
-}
-
-fn with_conformed(
-    pslg: &Pslg,
-    result: &Conforming,
-    promise: Promise,
-    judge: impl FnOnce(&Conformed<'_>, &Options) -> Verdict,
-) -> Verdict {
-    let mesh = result.mesh();
-    let cells = solid_ids(mesh);
-    let (points, flags) = (pslg.sites().points(), result.constrained_edges());
-    if mesh.dimension() != Some(2) {
-        let complex = Complex { points, dimension: mesh.dimension(), cells: &cells };
-        let verdict = judge_constrained(&complex, pslg.segments(), flags, &Options::default());
-        return joined(links(mesh), verdict);
-    }
-    let added = result.steiner_points().iter().zip(&result.positions()[points.len()..]);
-    let steiner = added.map(|(added, &position)| match added {
-        Added::On { ends, t, .. } => {
-            SteinerPoint::On { ends: *ends, mantissa: t.mantissa(), exponent: t.exponent() }
-        }
-        Added::Free => SteinerPoint::At(position),
-    });
-    let steiner: Vec<SteinerPoint<'_>> = steiner.collect();
-    let conformed = Conformed {
-        points,
-        steiner: &steiner,
-        cells: &cells,
-        segments: pslg.segments(),
-        constrained: flags,
-        promise,
-    };
-    joined(links(mesh), judge(&conformed, &Options::default()))
+/// Judges a refined triangulation that is complete, and its angles.
+pub(crate) fn refined(pslg: &Pslg, result: &Refined, cosine_square: f64) -> Verdict {
+    joined(links(result.triangulation().mesh()), laws::refined(pslg, result, cosine_square))
 }
 
 /// Judges a mesh with each vertex at the nearest doubles: whether rounding keeps it a triangulation of the hull with all

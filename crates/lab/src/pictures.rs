@@ -18,6 +18,8 @@ pub(crate) struct Drawing {
     segments: Vec<[u32; 2]>,
     /// The colour of each triangle of the plane, or none.
     pub(crate) classes: Vec<u32>,
+    /// Points to point at.
+    pub(crate) marked: Vec<u32>,
     /// Faces of a subject in space.
     facets: Vec<[u32; 3]>,
     /// Regions of Voronoi's or the power diagram.
@@ -42,6 +44,7 @@ impl Drawing {
             tets: document.tets.clone(),
             segments: document.segments.clone(),
             classes: Vec::new(),
+            marked: Vec::new(),
             regions: Vec::new(),
         }
     }
@@ -89,6 +92,7 @@ impl Drawing {
             triangles: &self.triangles,
             segments: &self.segments,
             classes: &self.classes,
+            marked: &self.marked,
             regions: &self.regions,
             ..Picture::default()
         }

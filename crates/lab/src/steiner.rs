@@ -1,13 +1,14 @@
 //! Results with Steiner points: as documents, in keys, and what the judge says of them.
 
-use delone_check::{Angles, Promise, Verdict};
-use delone_conforming::{Conforming, Refined, SteinerPoint};
+use delone_check::{Promise, Verdict};
+use delone_conforming::{Conforming, Method, Refined, SteinerPoint};
 use delone_formats::Document;
 use delone_sites::{Noded, Pslg};
 use serde_json::{Map, Value, json};
 
 use crate::engine::{Sizes, sizes_of};
 use crate::judge;
+use crate::pictures::Drawing;
 use crate::subject::{Body, Subject};
 
 /// A result and what it is of.
@@ -32,9 +33,12 @@ impl Result<'_> {
         sizes_of(self.conforming.mesh(), self.conforming.kernel().len())
     }
 
-    /// What is promised of it, proved.
-    pub(crate) fn verdict(&self, promise: Promise) -> Verdict {
-        let promise = if self.conforming.is_complete() { promise } else { Promise::Constrained };
+    /// What a method promises, proved: less of what a limit has stopped.
+    pub(crate) fn verdict(&self, method: &Method) -> Verdict {
+        self.verdict_on(delone_laws::judge::promise(method, self.conforming))
+    }
+
+    fn verdict_on(&self, promise: Promise) -> Verdict {
         judge::conforming(self.pslg, self.conforming, promise)
     }
 
@@ -42,11 +46,9 @@ impl Result<'_> {
     /// input angles are and where doubles are too coarse.
     pub(crate) fn verdict_on_angles(&self, refined: &Refined, cosine_square: f64) -> Verdict {
         if !self.conforming.is_complete() || self.conforming.mesh().dimension() != Some(2) {
-            return self.verdict(Promise::Constrained);
+            return self.verdict_on(Promise::Constrained);
         }
-        let (inside, exceptions) = refined.promised();
-        let angles = Angles { cosine_square, inside: &inside, exceptions: &exceptions };
-        judge::refined(self.pslg, self.conforming, &angles)
+        judge::refined(self.pslg, refined, cosine_square)
     }
 
     /// How many points there are, and what becomes of them in doubles.
@@ -93,6 +95,14 @@ impl Result<'_> {
             document.triangles = cells.map(|(cell, _)| cell.map(|v| names[v as usize])).collect();
         }
         document
+    }
+
+    /// The document as a picture, the Steiner points marked.
+    pub(crate) fn drawing(&self, document: &Document) -> Drawing {
+        let mut drawing = Drawing::of_document(document);
+        let points = (0u32..).take(document.point_count());
+        drawing.marked = points.skip(self.subject.document.point_count()).collect();
+        drawing
     }
 
     /// Markers and attributes of the Steiner points.

@@ -63,6 +63,11 @@ impl<'p> Watch<'p> {
     /// Begins to watch. From here on the first interruption only stops what asks; the second ends the program.
     pub(crate) fn start(progress: Option<&'p mut Progress>, limit: Option<Duration>) -> Self {
         listen();
+        Self::by_clock(progress, limit)
+    }
+
+    /// The same, but an interruption ends the program, as ever.
+    pub(crate) fn by_clock(progress: Option<&'p mut Progress>, limit: Option<Duration>) -> Self {
         Self { progress, limit, start: Instant::now(), asked: 0, sites: [0, 0] }
     }
 }

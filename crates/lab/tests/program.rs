@@ -431,7 +431,7 @@ fn a_comparison_is_written_as_tables() {
     assert_eq!(run(folder.path(), &words).0, 0);
     let csv = std::fs::read_to_string(folder.path().join("t.csv")).unwrap();
     let rows: Vec<Vec<&str>> = csv.lines().map(|line| line.split(',').collect()).collect();
-    assert_eq!((rows.len(), rows.iter().all(|row| row.len() == 10)), (3, true), "{csv}");
+    assert_eq!((rows.len(), rows.iter().all(|row| row.len() == 11)), (3, true), "{csv}");
     assert_eq!(rows[1][4], "constrained delaunay");
     let tex = std::fs::read_to_string(folder.path().join("t.tex")).unwrap();
     assert!(

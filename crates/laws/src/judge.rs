@@ -2,9 +2,10 @@
 
 use delone::cdt::Cdt;
 use delone::check::{
-    Backend, Complex, Level, Links, Options, Verdict, judge_constrained, judge_delaunay,
-    judge_links, judge_regular,
+    Angles, Backend, Complex, Conformed, Level, Links, Options, Promise, SteinerPoint, Verdict,
+    judge_conforming, judge_constrained, judge_delaunay, judge_links, judge_refined, judge_regular,
 };
+use delone::conforming::{Conforming, Method, Refined, SteinerPoint as Added};
 use delone::delaunay::{Delaunay, Regular};
 use delone::mesh::{Mesh, VertexId};
 use delone::sites::WeightedSites;
@@ -66,6 +67,65 @@ pub fn accept_constrained(case: &Case<2>, pslg: &Pslg, result: &Cdt, rigour: Rig
     accept(&case.name, Level::Constrained, rigour, |options| {
         judge_constrained(&complex, &case.segments, &flagged, options)
     });
+}
+
+/// What a result of a method promises: less if a limit was reached.
+#[must_use]
+pub fn promise(method: &Method, result: &Conforming) -> Promise {
+    match (result.is_complete(), method.empties_disks) {
+        (false, _) => Promise::Constrained,
+        (true, false) => Promise::Conforming,
+        (true, true) => Promise::EmptyDisks,
+    }
+}
+
+/// What the judge says of a triangulation with Steiner points, these being exact.
+#[must_use]
+pub fn conforming(pslg: &Pslg, result: &Conforming, promise: Promise) -> Verdict {
+    with_conformed(pslg, result, promise, judge_conforming)
+}
+
+/// What it says of a refined triangulation that is complete, and of its angles.
+#[must_use]
+pub fn refined(pslg: &Pslg, refined: &Refined, cosine_square: f64) -> Verdict {
+    let (inside, exceptions) = refined.promised();
+    let angles = Angles { cosine_square, inside: &inside, exceptions: &exceptions };
+    with_conformed(pslg, refined.triangulation(), Promise::Constrained, |conformed, options| {
+        judge_refined(conformed, &angles, options)
+    })
+}
+
+/// Asks a judge; of sites in line, to which nothing is added, that of constrained triangulations.
+fn with_conformed(
+    pslg: &Pslg,
+    result: &Conforming,
+    promise: Promise,
+    judge: impl FnOnce(&Conformed<'_>, &Options) -> Verdict,
+) -> Verdict {
+    let (mesh, options) = (result.mesh(), Options::default());
+    let corners = mesh.solid_cells().flat_map(|cell| mesh.corners(cell));
+    let cells: Vec<u32> = corners.map(|v| id(v.index())).collect();
+    let (points, flags) = (pslg.sites().points(), result.constrained_edges());
+    if mesh.dimension() != Some(2) {
+        let complex = Complex { points, dimension: mesh.dimension(), cells: &cells };
+        return judge_constrained(&complex, pslg.segments(), flags, &options);
+    }
+    let added = result.steiner_points().iter().zip(&result.positions()[points.len()..]);
+    let steiner = added.map(|(added, &position)| match added {
+        Added::On { ends, t, .. } => {
+            SteinerPoint::On { ends: *ends, mantissa: t.mantissa(), exponent: t.exponent() }
+        }
+        Added::Free => SteinerPoint::At(position),
+    });
+    let conformed = Conformed {
+        points,
+        steiner: &steiner.collect::<Vec<_>>(),
+        cells: &cells,
+        segments: pslg.segments(),
+        constrained: flags,
+        promise,
+    };
+    judge(&conformed, &options)
 }
 
 fn accept(name: &str, level: Level, rigour: Rigour, judge: impl Fn(&Options) -> Verdict) {

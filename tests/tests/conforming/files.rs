@@ -2,7 +2,6 @@
 //! `DELONE_LONG=1` one in ten, and only small ones. Segments that cross are cut where they do, in doubles.
 
 use delone::Pslg;
-use delone::check::Promise;
 use delone::conforming::{
     ConformOptions, Conforming, Encroached, Limits, Method, conform, methods,
 };
@@ -10,10 +9,9 @@ use delone::sites::Snapped;
 use delone_tests::case::Case;
 use delone_tests::cgal::Cgal;
 use delone_tests::data::{documents, files, pslg_of};
-use delone_tests::{long, say};
+use delone_tests::{judge, long, say};
 
 use crate::effort::{Deadline, JUDGED_MAX, Ratios, seconds, tell_names};
-use crate::{judged, promise};
 
 /// The most sites taken.
 fn sites_max() -> usize {
@@ -129,8 +127,7 @@ impl Table {
         }
         let is_large = result.kernel().len() > JUDGED_MAX && !result.is_complete();
         if result.mesh().dimension() == Some(2) && !is_large {
-            let promise = if result.is_complete() { promise(method) } else { Promise::Constrained };
-            let verdict = judged(pslg, &result, promise);
+            let verdict = judge::conforming(pslg, &result, judge::promise(method, &result));
             assert!(verdict.ok, "{} {name}: {verdict}", method.name);
             self.judged[number] += usize::from(result.is_complete());
         }

@@ -9,10 +9,9 @@ use delone::conforming::{Limits, Reason, RefineOptions, Refined, refine};
 use delone_tests::case::Case;
 use delone_tests::cgal::Cgal;
 use delone_tests::data::{documents, files, pslg_of};
-use delone_tests::{long, say};
+use delone_tests::{judge, long, say};
 
 use crate::effort::{Deadline, Ratios, seconds, tell_names};
-use crate::judged_with_angles;
 
 /// The opponents, and what came of them.
 struct Table {
@@ -71,7 +70,7 @@ impl Table {
         if refined.left_alone_for(Reason::Unreachable) > 0 {
             self.coarse.push(name.clone());
         }
-        let verdict = judged_with_angles(&pslg, &refined, options.cosine_square());
+        let verdict = judge::refined(&pslg, &refined, options.cosine_square());
         assert!(verdict.ok, "{name}: {verdict}");
         self.judged += 1;
         let (degrees, points, pieces) = (self.degrees, pslg.sites().points(), pslg.subsegments());
@@ -126,8 +125,9 @@ impl Table {
         for (number, peer) in ["Triangle", "CGAL"].into_iter().enumerate() {
             tell_names(&format!("{degrees} degrees: {peer} does not answer"), &self.silent[number]);
             let [vertices, times] = &mut self.ratios[number];
-            times.tell(&format!("{degrees} degrees, seconds, ours / {peer}'s"));
-            let median = vertices.tell(&format!("{degrees} degrees, vertices, ours / {peer}'s"));
+            let [_, median] = [("seconds", times), ("vertices", vertices)].map(|(what, ratios)| {
+                ratios.tell(&format!("{degrees} degrees, {what}, ours / {peer}'s"))
+            });
             assert!(median.is_none_or(|median| median <= 1.05), "{peer}: {median:?}");
         }
     }

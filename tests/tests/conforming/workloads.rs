@@ -1,10 +1,8 @@
 //! The corpus.
 
-use delone::check::Promise;
 use delone::conforming::{ConformOptions, Limits, methods};
 use delone_tests::corpus::{Size, pslgs};
-
-use crate::{judged, promise};
+use delone_tests::judge;
 
 /// With vertices that no input of the corpus needs, but for protection.
 fn enough(method: &str) -> ConformOptions {
@@ -28,9 +26,7 @@ fn all_methods_conform_on_the_corpus() {
                 assert_eq!(result.steiner_points(), [], "{}", case.name);
                 continue;
             }
-            let promise =
-                if result.is_complete() { promise(&method) } else { Promise::Constrained };
-            let verdict = judged(&pslg, &result, promise);
+            let verdict = judge::conforming(&pslg, &result, judge::promise(&method, &result));
             assert!(verdict.ok, "{name}: {verdict}");
         }
         assert!(counts[0] <= counts[1], "{}: {counts:?}", case.name);

@@ -1,6 +1,6 @@
 //! The second big integers, under the feature `rug`: those of GMP.
 
-use super::{Integer, Number, Sign};
+use super::{DIGITS, Integer, Number, Sign};
 use rug::Integer as Gmp;
 use std::cmp::Ordering;
 
@@ -37,5 +37,10 @@ impl Integer for Gmp {
             Ordering::Equal => Sign::Zero,
             Ordering::Greater => Sign::Positive,
         }
+    }
+
+    fn magnitude(&self) -> (f64, u32) {
+        let dropped = self.significant_bits().saturating_sub(DIGITS);
+        ((self.clone().abs() >> dropped).to_f64(), dropped)
     }
 }

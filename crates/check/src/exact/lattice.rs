@@ -83,6 +83,11 @@ impl<I: Integer> Lattice<I> {
         Self { low, integers: PhantomData }
     }
 
+    /// The exponent of the spacing.
+    pub(crate) fn low(&self) -> i32 {
+        self.low
+    }
+
     /// The integer `x / 2^low`.
     pub(crate) fn integer(&self, x: f64) -> I {
         Self::multiple(x, self.low)

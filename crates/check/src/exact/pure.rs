@@ -1,7 +1,8 @@
 //! The default big integers: `dashu-int`, in pure Rust.
 
-use super::{Integer, Number, Sign};
+use super::{DIGITS, Integer, Number, Sign};
 use dashu_int::IBig;
+use dashu_int::ops::{BitTest, UnsignedAbs};
 
 impl Number for IBig {
     fn plus(&self, other: &Self) -> Self {
@@ -38,5 +39,11 @@ impl Integer for IBig {
         } else {
             Sign::Negative
         }
+    }
+
+    fn magnitude(&self) -> (f64, u32) {
+        let size = self.unsigned_abs();
+        let dropped = size.bit_len().saturating_sub(DIGITS as usize);
+        ((size >> dropped).to_f64().value(), u32::try_from(dropped).unwrap_or(u32::MAX))
     }
 }

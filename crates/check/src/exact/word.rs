@@ -12,7 +12,7 @@
 //! smaller. [`fits`] demands that this stays below `2^126`. The operations wrap, so that not even a
 //! wrong proof could panic.
 
-use super::{Integer, Number, Sign};
+use super::{DIGITS, Integer, Number, Sign};
 
 /// Whether `i128` holds every number of the predicates of `k`-simplices in `ambient` dimensions
 /// with `bits`-bit coordinates.
@@ -59,5 +59,11 @@ impl Integer for i128 {
             std::cmp::Ordering::Equal => Sign::Zero,
             std::cmp::Ordering::Greater => Sign::Positive,
         }
+    }
+
+    fn magnitude(&self) -> (f64, u32) {
+        let size = self.unsigned_abs();
+        let dropped = (Self::BITS - size.leading_zeros()).saturating_sub(DIGITS);
+        ((size >> dropped) as f64, dropped)
     }
 }

@@ -53,6 +53,7 @@ impl Display for Fault {
             | Self::FlagNotEdge { .. }
             | Self::FillLeaks { .. }
             | Self::OffSegment { .. }
+            | Self::BesideSegment { .. }
             | Self::EncroachedEdge { .. }
             | Self::SmallAngle { .. }
             | Self::NoException { .. }
@@ -188,6 +189,11 @@ fn fmt_constraints(fault: &Fault, f: &mut Formatter<'_>) -> Result {
         Fault::OffSegment { point, ends } => write!(
             f,
             "the steiner point {point} is not strictly between {}, or these are no part of a segment",
+            List(ends)
+        ),
+        Fault::BesideSegment { segment, ends, point, distance } => write!(
+            f,
+            "the steiner point {point} is {distance:e} off segment {segment}, {}",
             List(ends)
         ),
         Fault::EncroachedEdge { edge, by } => {

@@ -68,6 +68,17 @@ pub(crate) struct Limits {
     pub(crate) time_limit: Option<f64>,
 }
 
+/// How far `compare` lets a method with Steiner points go.
+#[derive(Args, Clone, Copy)]
+pub(crate) struct Bounds {
+    /// Stop a method with Steiner points at so many vertices; its row says so [default: ten for each site, and 10000]
+    #[arg(long, value_name = "N", requires = "only")]
+    pub(crate) vertices_max: Option<usize>,
+    /// Stop each run of a method with Steiner points after so many seconds; its row says so
+    #[arg(long, value_name = "SECONDS", default_value_t = 5.0, requires = "only")]
+    pub(crate) time_limit: f64,
+}
+
 #[derive(Args)]
 pub(crate) struct Refine {
     #[command(flatten)]

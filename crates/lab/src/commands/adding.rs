@@ -9,7 +9,6 @@ use serde_json::{Map, Value};
 
 use super::triangulate::{page, tell, written};
 use crate::failure::Failure;
-use crate::pictures::Drawing;
 use crate::progress::Progress;
 use crate::result::{Outcome, Seconds, describe};
 use crate::subject::Subject;
@@ -125,7 +124,7 @@ fn write(
         let lost = lost.into_iter().map(|lost| format!("{}: {lost}", path.display()));
         outcome.notes.extend(lost);
     }
-    let drawing = Drawing::of_document(&document);
+    let drawing = result.drawing(&document);
     let style = Style { title: describe(outcome.subject), ..Style::default() };
     if let Some(path) = &report.svg {
         output::text(path, &drawing.svg(&style))?;

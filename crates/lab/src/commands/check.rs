@@ -4,7 +4,10 @@ mod filtration;
 
 use std::path::Path;
 
-use delone_check::{Complex, Options, Verdict, judge_constrained, judge_delaunay, judge_regular};
+use delone_check::{
+    Complex, Options, Verdict, judge_conforming_doubles, judge_constrained, judge_delaunay,
+    judge_regular,
+};
 use delone_formats::{Document, Format, Source, one, read_bytes, write};
 use serde_json::json;
 
@@ -65,13 +68,24 @@ fn judge_plane(
     given: &Document,
     output: &Document,
 ) -> Result<Verdict, Failure> {
-    let points = given.points_2d().map_err(Failure::input)?;
-    let names = names(points, output.points_2d().map_err(Failure::input)?, output)?;
+    let mut points = given.points_2d().map_err(Failure::input)?.to_vec();
+    let count = points.len();
+    let drawn = output.points_2d().map_err(Failure::input)?;
+    let names = if arguments.kind == cli::Claim::Conforming {
+        with_steiner_points(&mut points, drawn)
+    } else {
+        names(&points, drawn, output)?
+    };
     let (dimension, cells) = cells(lone(given), output, &names);
-    let complex = Complex { points, dimension, cells: &cells };
+    let complex = Complex { points: &points, dimension, cells: &cells };
     let edges: Vec<[u32; 2]> =
         output.segments.iter().map(|ends| ends.map(|id| names[id as usize])).collect();
     Ok(match arguments.kind {
+        cli::Claim::Conforming => {
+            // Of a line, they are its cells.
+            let flags = Some(&edges[..]).filter(|flags| dimension == Some(2) && !flags.is_empty());
+            judge_conforming_doubles(&complex, count, &given.segments, flags, &options(arguments))
+        }
         cli::Claim::Delaunay | cli::Claim::Alpha => judge_delaunay(&complex, &options(arguments)),
         cli::Claim::Regular => judge_regular(&complex, weights(given)?, &options(arguments)),
         cli::Claim::Cdt => {
@@ -85,8 +99,11 @@ fn judge_space(
     given: &Document,
     output: &Document,
 ) -> Result<Verdict, Failure> {
-    if arguments.kind == cli::Claim::Cdt {
-        return Err(Failure::input("--as cdt is for the plane, and the input is in space"));
+    if let kind @ (cli::Claim::Cdt | cli::Claim::Conforming) = arguments.kind {
+        let name = if kind == cli::Claim::Cdt { "cdt" } else { "conforming" };
+        return Err(Failure::input(format!(
+            "--as {name} is for the plane, and the input is in space"
+        )));
     }
     let points = given.points_3d().map_err(Failure::input)?;
     let names = names(points, output.points_3d().map_err(Failure::input)?, output)?;
@@ -140,30 +157,42 @@ pub(crate) fn names<const D: usize>(
     output: &[[f64; D]],
     document: &Document,
 ) -> Result<Vec<u32>, Failure> {
+    let known = known(given, output);
+    if let Some(names) = known.iter().copied().collect::<Option<Vec<u32>>>() {
+        return Ok(names);
+    }
+    let strangers = (0..output.len()).filter(|&index| known[index].is_none());
+    let strangers = strangers.map(|index| format!("  vertex {index} at {:?}", output[index]));
+    let strangers: Vec<String> = strangers.collect();
+    Err(Failure::Difference(Some(format!(
+        "{}: {} vertices are no points of the input\n{}",
+        document.name,
+        strangers.len(),
+        strangers.join("\n")
+    ))))
+}
+
+/// The same; points of the output that are none of the input are put after these.
+fn with_steiner_points(points: &mut Vec<[f64; 2]>, output: &[[f64; 2]]) -> Vec<u32> {
+    let known = known(points, output);
+    let mut next = (0u32..).skip(points.len());
+    let steiner = known.iter().zip(output).filter(|(name, _)| name.is_none());
+    points.extend(steiner.map(|(_, point)| point));
+    known.iter().map(|name| name.or_else(|| next.next()).unwrap_or(u32::MAX)).collect()
+}
+
+/// For each point of the output, the input point at the same position, if there is one.
+fn known<const D: usize>(given: &[[f64; D]], output: &[[f64; D]]) -> Vec<Option<u32>> {
     let key = |point: &[f64; D]| point.map(|c| (c + 0.0).to_bits());
     let mut sorted: Vec<([u64; D], u32)> = given.iter().map(key).zip(0u32..).collect();
     sorted.sort_unstable();
-    let mut names = Vec::with_capacity(output.len());
-    let mut strangers = Vec::new();
-    for (index, point) in output.iter().enumerate() {
+    let name = |(index, point): (u32, &[f64; D])| {
         let wanted = key(point);
-        if given.get(index).is_some_and(|same| key(same) == wanted) {
-            names.push(u32::try_from(index).map_err(Failure::input)?);
-            continue;
+        if given.get(index as usize).is_some_and(|same| key(same) == wanted) {
+            return Some(index);
         }
         let place = sorted.partition_point(|(position, _)| *position < wanted);
-        match sorted.get(place) {
-            Some(&(position, name)) if position == wanted => names.push(name),
-            _ => strangers.push(format!("  vertex {index} at {point:?}")),
-        }
-    }
-    if strangers.is_empty() {
-        return Ok(names);
-    }
-    let count = strangers.len();
-    Err(Failure::Difference(Some(format!(
-        "{}: {count} vertices are no points of the input\n{}",
-        document.name,
-        strangers.join("\n")
-    ))))
+        sorted.get(place).filter(|(position, _)| *position == wanted).map(|&(_, name)| name)
+    };
+    (0u32..).zip(output).map(name).collect()
 }

@@ -1,48 +1,37 @@
 //! `delone compare`, the main job: every applicable algorithm on each input, judged, counted, timed.
 
 mod page;
+mod row;
 mod scaling;
 mod suite;
 mod table;
 mod tables;
 
 use std::path::{Path, PathBuf};
-use std::time::Instant;
 
-use delone_check::Verdict;
-use delone_delaunay::Options;
+use delone_conforming::methods;
 use delone_formats::Document;
-use delone_probe::Counts;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde_json::{Value, json};
 
 use crate::cli;
-use crate::engine::{self, Sizes, Triangulation};
+use crate::engine;
 use crate::failure::Failure;
 use crate::pictures::Drawing;
-use crate::progress::Progress;
-use crate::result::{check_value, counts, input};
-use crate::subject::Subject;
+use crate::result::{check_value, counts, grouped, input};
+use crate::subject::{Body, Subject};
 use crate::{input as files, output};
 
-/// One algorithm on one input.
-struct Row {
-    algorithm: &'static str,
-    fingerprint: String,
-    /// The median of the runs.
-    seconds: f64,
-    runs: usize,
-    check_seconds: f64,
-    counts: Counts,
-    sizes: Sizes,
-    verdict: Verdict,
-}
+use row::{Bounds, Row};
 
 /// All algorithms on one input.
 struct Entry {
     subject: Subject,
     rows: Vec<Row>,
-    drawing: Drawing,
+    /// What algorithms that add no points agree on, or the input itself if nothing was run.
+    drawing: Option<Drawing>,
+    /// What each method with Steiner points makes of it, and the picture's caption.
+    own: Vec<(String, Drawing)>,
 }
 
 /// An input that was not run, and why.
@@ -58,37 +47,65 @@ struct Comparison {
 }
 
 impl Entry {
-    fn agrees(&self) -> bool {
-        self.rows.windows(2).all(|pair| pair[0].fingerprint == pair[1].fingerprint)
+    /// Where results differ that should be the same, in words.
+    fn differences(&self) -> Vec<String> {
+        let mut prints =
+            self.rows.iter().filter(|row| row.added.is_none()).map(|row| &row.fingerprint);
+        let first = prints.next();
+        let disagree = prints.any(|print| Some(print) != first);
+        let disagree = disagree.then(|| "the algorithms DISAGREE".to_owned());
+        let unsteady = self.rows.iter().filter(|row| row.depends_on_order());
+        let unsteady =
+            unsteady.map(|row| format!("{} DEPENDS on the order of the input", row.algorithm));
+        disagree.into_iter().chain(unsteady).collect()
     }
 
-    fn is_proved(&self) -> bool {
-        self.rows.iter().all(|row| row.verdict.ok)
+    fn is_refuted(&self) -> bool {
+        self.rows.iter().any(Row::is_refuted)
     }
 }
 
 impl Comparison {
     fn agrees(&self) -> bool {
-        self.entries.iter().all(Entry::agrees)
+        self.entries.iter().all(|entry| entry.differences().is_empty())
     }
 
-    fn is_proved(&self) -> bool {
-        self.entries.iter().all(Entry::is_proved)
+    fn is_refuted(&self) -> bool {
+        self.entries.iter().any(Entry::is_refuted)
+    }
+
+    fn rows(&self) -> impl Iterator<Item = &Row> + Clone {
+        self.entries.iter().flat_map(|entry| &entry.rows)
+    }
+
+    /// Whether some of the results have Steiner points.
+    fn adds(&self) -> bool {
+        self.rows().any(|row| row.added.is_some())
+    }
+
+    /// What was found on all inputs, in a few words.
+    fn summary(&self) -> String {
+        if !self.agrees() {
+            return "results DIFFER that should be the same".to_owned();
+        }
+        let mut words = Vec::new();
+        if self.rows().any(|row| row.added.is_none()) {
+            words.push("all algorithms agree");
+        }
+        if self.rows().filter_map(|row| row.added.as_ref()).any(|a| a.ignores_order.is_some()) {
+            words.push("no method with Steiner points depends on the order of the input");
+        }
+        if words.is_empty() { "nothing to compare".to_owned() } else { words.join(", ") }
     }
 }
 
 pub(crate) fn compare(arguments: &cli::Compare) -> Result<(), Failure> {
     let files = arguments.html.iter().chain(&arguments.csv).chain(&arguments.latex);
     output::check_paths(files.map(PathBuf::as_path))?;
-    let known = engine::all_names();
-    if let Some(stranger) = arguments.only.iter().find(|name| !known.contains(&name.as_str())) {
-        let known = known.join(", ");
-        return Err(Failure::Input(format!(
-            "no algorithm is called {stranger}: there are {known}"
-        )));
-    }
+    let only = asked(&arguments.only)?;
+    let bounds = Bounds::new(arguments.bounds)?;
     if !arguments.scaling.is_empty() {
-        return scaling::scaling(arguments);
+        return scaling::scaling(arguments, &only);
     }
     let (subjects, refused) = subjects(arguments)?;
     if !refused.is_empty() && !arguments.keep_going {
@@ -103,7 +120,7 @@ pub(crate) fn compare(arguments: &cli::Compare) -> Result<(), Failure> {
     let mut comparison = Comparison { entries: Vec::new(), refused };
     for subject in subjects {
         bar.set_message(subject.name().to_owned());
-        comparison.entries.push(entry(subject, &arguments.only));
+        comparison.entries.push(entry(subject, &only, bounds));
         bar.inc(1);
     }
     bar.finish_and_clear();
@@ -124,7 +141,7 @@ pub(crate) fn compare(arguments: &cli::Compare) -> Result<(), Failure> {
             println!("report: {} ({})", path.display(), output::size(path));
         }
     }
-    if comparison.agrees() && comparison.is_proved() {
+    if comparison.agrees() && !comparison.is_refuted() {
         Ok(())
     } else {
         Err(Failure::Difference(None))
@@ -185,69 +202,75 @@ fn bar(count: usize, quiet: bool) -> ProgressBar {
         .with_style(style.expect("the template is well formed"))
 }
 
-fn entry(subject: Subject, only: &[String]) -> Entry {
-    let names = engine::names(&subject);
-    let chosen: Vec<&'static str> = names
-        .iter()
-        .filter(|name| only.is_empty() || only.iter().any(|asked| asked == *name))
-        .copied()
-        .collect();
-    let mut drawing = None;
-    let mut rows = Vec::new();
-    for name in chosen {
-        let (row, triangulation) = row(&subject, name);
-        rows.push(row);
-        drawing.get_or_insert_with(|| Drawing::of(&subject, Some(&triangulation)));
+/// The names asked for, `conforming` being those of all methods with Steiner points.
+fn asked(only: &[String]) -> Result<Vec<&'static str>, Failure> {
+    let methods = methods().into_iter().map(|method| method.name);
+    let known: Vec<&'static str> = engine::all_names().into_iter().chain(methods.clone()).collect();
+    let mut asked = Vec::new();
+    for name in only {
+        match known.iter().find(|known| *known == name) {
+            Some(known) => asked.push(*known),
+            None if name == "conforming" => asked.extend(methods.clone()),
+            None => {
+                return Err(Failure::Input(format!(
+                    "no algorithm is called {name}: there are {}; and conforming, for those with Steiner points",
+                    known.join(", ")
+                )));
+            }
+        }
     }
-    let drawing = drawing.unwrap_or_else(|| Drawing::of(&subject, None));
-    Entry { subject, rows, drawing }
+    Ok(asked)
 }
 
-/// Runs longer than this are not repeated.
-const REPEAT_BELOW_SECONDS: f64 = 0.2;
-const RUNS: usize = 5;
-
-fn row(subject: &Subject, name: &'static str) -> (Row, Triangulation) {
-    let options = Options::default();
-    let built = engine::run(subject, name, &options, None);
-    let mut seconds = vec![built.seconds];
-    while seconds.len() < RUNS && seconds[0] < REPEAT_BELOW_SECONDS {
-        seconds.push(engine::run(subject, name, &options, None).seconds);
+/// Every algorithm that adds no points, or those asked for; methods with Steiner points if they are.
+fn entry(subject: Subject, only: &[&str], bounds: Bounds) -> Entry {
+    let (mut rows, mut drawing, mut own) = (Vec::new(), None, Vec::new());
+    for name in engine::names(&subject) {
+        if only.is_empty() || only.contains(&name) {
+            let (row, picture) = row::of_algorithm(&subject, name);
+            rows.push(row);
+            drawing.get_or_insert(picture);
+        }
     }
-    seconds.sort_by(f64::total_cmp);
-    let mut progress = Progress::new(name, true);
-    engine::run(subject, name, &options, Some(&mut progress));
-    let clock = Instant::now();
-    let verdict = built.triangulation.verdict(subject);
-    let row = Row {
-        algorithm: name,
-        fingerprint: built.triangulation.fingerprint(subject).to_string(),
-        seconds: seconds[seconds.len() / 2],
-        runs: seconds.len(),
-        check_seconds: clock.elapsed().as_secs_f64(),
-        counts: progress.counts,
-        sizes: built.triangulation.sizes(subject),
-        verdict,
-    };
-    (row, built.triangulation)
+    let is_graph = matches!(subject.body, Body::Graph(_));
+    for method in methods().iter().filter(|method| is_graph && only.contains(&method.name)) {
+        let (row, picture) = row::of_method(&subject, method, bounds);
+        let added = row.added.as_ref().map_or(0, |added| added.points);
+        let more = if row.is_stopped() { " by then" } else { "" };
+        let caption = format!("{}: {} Steiner points{more}", method.name, grouped(added as u64));
+        rows.push(row);
+        own.push((caption, picture));
+    }
+    if rows.is_empty() {
+        drawing = Some(Drawing::of(&subject, None));
+    }
+    Entry { subject, rows, drawing, own }
+}
+
+fn result(subject: &Subject, row: &Row) -> Value {
+    let mut object = json!({
+        "input": input(subject),
+        "algorithm": row.algorithm,
+        "fingerprint": row.fingerprint,
+        "vertices": row.sizes.vertices,
+        "cells": row.sizes.cells,
+        "hull_facets": row.sizes.hull_facets,
+        "seconds": { "build": row.seconds, "runs": row.runs, "check": row.check_seconds },
+        "counts": counts(&row.counts),
+        "check": row.verdict.as_ref().map(check_value),
+    });
+    if let Some(added) = &row.added {
+        object["steiner"] = json!(added.points);
+        object["complete"] = json!(added.is_complete);
+        object["ignores_order"] = json!(added.ignores_order);
+    }
+    object
 }
 
 fn json(comparison: &Comparison) -> Value {
     let mut results = Vec::new();
     for entry in &comparison.entries {
-        for row in &entry.rows {
-            results.push(json!({
-                "input": input(&entry.subject),
-                "algorithm": row.algorithm,
-                "fingerprint": row.fingerprint,
-                "vertices": row.sizes.vertices,
-                "cells": row.sizes.cells,
-                "hull_facets": row.sizes.hull_facets,
-                "seconds": { "build": row.seconds, "runs": row.runs, "check": row.check_seconds },
-                "counts": counts(&row.counts),
-                "check": check_value(&row.verdict),
-            }));
-        }
+        results.extend(entry.rows.iter().map(|row| result(&entry.subject, row)));
     }
     let refused: Vec<Value> = comparison
         .refused
@@ -259,6 +282,6 @@ fn json(comparison: &Comparison) -> Value {
         "results": results,
         "refused": refused,
         "agree": comparison.agrees(),
-        "proved": comparison.is_proved(),
+        "proved": comparison.rows().all(|row| row.verdict.as_ref().is_some_and(|verdict| verdict.ok)),
     })
 }

@@ -1,6 +1,5 @@
 //! `delone conform`: read, validate, add Steiner points, judge, write, tell.
 
-use delone_check::Promise;
 use delone_conforming::{ConformOptions, Limits, Method, methods};
 use serde_json::Map;
 
@@ -19,9 +18,8 @@ pub(crate) fn conform(arguments: &cli::Conform) -> Result<(), Failure> {
     let subject = &adding.subject;
     let pslg = adding.pslg();
     let result = steiner::Result { subject, pslg, conforming: &conforming, inside: None };
-    let promise = if method.empties_disks { Promise::EmptyDisks } else { Promise::Conforming };
     let own = Own { schema: "delone.conform/1", keys: Map::new() };
-    adding.end(&result, own, || result.verdict(promise))
+    adding.end(&result, own, || result.verdict(&method))
 }
 
 /// The method of this name.

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use super::delone;
+use super::{delone, folder, run};
 
 /// What a command prints, given this on standard input.
 fn pipe(words: &[&str], text: &str) -> String {
@@ -188,4 +188,43 @@ fn filtrations_are_drawn() {
         .write_stdin(sample)
         .assert()
         .code(2);
+}
+
+/// A square with a square hole: each step is a picture, with what belongs to it and no more.
+#[test]
+fn each_step_is_explained_by_a_picture() {
+    let folder = folder();
+    let ring = "8 2 0 0\n1 0 0\n2 9 0\n3 9 9\n4 0 9\n5 3 3\n6 6 3\n7 6 6\n8 3 6\n8 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n5 5 6\n6 6 7\n7 7 8\n8 8 5\n0\n";
+    std::fs::write(folder.path().join("ring.poly"), ring).unwrap();
+    let words = ["triangulate2d", "ring.poly", "--explain", "steps/ring", "-q"];
+    let (status, _, error) = run(folder.path(), &words);
+    assert_eq!(status, 0, "{error}");
+    let steps = ["1-soup", "2-cdt", "3-edges", "4-regions", "5-inside"];
+    let files = std::fs::read_dir(folder.path().join("steps/ring")).unwrap();
+    assert_eq!(files.count(), steps.len());
+    // Lines by kind, and triangles that have a number.
+    let drawn = steps.map(|step| {
+        let path = folder.path().join("steps/ring").join(step).with_extension("svg");
+        let svg = std::fs::read_to_string(path).unwrap();
+        let document = roxmltree::Document::parse(&svg).unwrap();
+        let nodes = |tag, class| {
+            let of_class = move |node: &roxmltree::Node<'_, '_>| {
+                node.has_tag_name(tag) && node.attribute("class") == Some(class)
+            };
+            document.descendants().filter(of_class)
+        };
+        let lines = |class| -> usize {
+            nodes("path", class)
+                .filter_map(|n| n.attribute("d"))
+                .map(|d| d.matches('M').count())
+                .sum()
+        };
+        let texts = nodes("g", "cellnumber").flat_map(|group| group.descendants());
+        let numbers = texts.filter(|node| node.has_tag_name("text")).count();
+        [lines("segment"), lines("highlight"), numbers]
+    });
+    // Eight sites, four on the hull: ten triangles, two of them in the hole; of the eight inside, eight edges have two, eight have one.
+    assert_eq!(drawn, [[8, 0, 0], [8, 0, 10], [8, 8, 0], [8, 0, 10], [8, 0, 8]]);
+    let word = ["triangulate2d", "ring.poly", "--explain", "ring.poly"];
+    assert_eq!(run(folder.path(), &word).0, 2, "a file is no folder");
 }

@@ -1,5 +1,7 @@
 //! Commands that add Steiner points.
 
+use std::path::Path;
+
 use serde_json::Value;
 
 use super::{CROSS, KITE, folder, run};
@@ -134,5 +136,130 @@ fn crossings_are_rounded_if_asked_to() {
         assert_eq!(status, 0, "{error}");
         let object: Value = serde_json::from_str(&out).unwrap();
         assert_eq!((&object["complete"], &object["check"]["ok"]), (&true.into(), &true.into()));
+    }
+}
+
+fn json(folder: &Path, words: &[&str], expected: i32) -> Value {
+    let (status, out, error) = run(folder, words);
+    assert_eq!(status, expected, "{out} {error}");
+    serde_json::from_str(&out).unwrap()
+}
+
+/// Methods are compared if they are named, each judged by its own promise: the segment is an edge of the Delaunay triangulation, and
+/// (3, 2) is in its diametral disk.
+#[test]
+fn methods_are_compared_by_their_own_promises() {
+    let folder = folder();
+    let near = "4 2 0 0\n1 0 0\n2 6 0\n3 3 2\n4 3 -40\n1 0\n1 1 2\n0\n";
+    std::fs::write(folder.path().join("near.poly"), near).unwrap();
+    std::fs::write(folder.path().join("cross.poly"), CROSS).unwrap();
+    std::fs::write(folder.path().join("points.node"), "3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n").unwrap();
+    let words =
+        ["compare", "near.poly", "--only", "cavity,conforming", "--json", "--html", "r.html"];
+    let object = json(folder.path(), &words, 0);
+    assert_eq!((&object["agree"], &object["proved"]), (&true.into(), &true.into()));
+    let results = object["results"].as_array().unwrap();
+    let names: Vec<&str> = results.iter().map(|row| row["algorithm"].as_str().unwrap()).collect();
+    assert_eq!(names, ["cavity", "delaunay", "gabriel", "saalfeld"]);
+    assert!(
+        results[0]["steiner"].is_null() && results[0]["check"]["level"] == "constrained delaunay"
+    );
+    for row in &results[1..] {
+        assert_eq!(
+            (&row["complete"], &row["ignores_order"]),
+            (&true.into(), &true.into()),
+            "{row}"
+        );
+        assert_eq!(row["check"]["level"], "conforming delaunay");
+        let empties_disks =
+            row["check"]["proved"].to_string().contains("S4: the closed diametral disks");
+        assert_eq!(empties_disks, row["algorithm"] != "delaunay", "{row}");
+        let added = row["vertices"].as_u64().unwrap() - 4;
+        assert_eq!(row["steiner"].as_u64().unwrap(), added);
+        assert_eq!(added > 0, empties_disks, "{row}");
+    }
+    assert_ne!(results[1]["fingerprint"], results[2]["fingerprint"], "and yet nothing disagrees");
+    let page = std::fs::read_to_string(folder.path().join("r.html")).unwrap();
+    for row in &results[1..] {
+        let caption =
+            format!("{}: {} Steiner points", row["algorithm"].as_str().unwrap(), row["steiner"]);
+        assert!(page.contains(&format!("<figcaption>{caption}</figcaption>")), "{caption}");
+    }
+    // What none of them takes is said; what crosses can be cut.
+    let (status, out, _) = run(folder.path(), &["compare", "points.node", "--only", "gabriel"]);
+    assert!(status == 0 && out.contains("none of the algorithms asked for"), "{out}");
+    let words = ["compare", "cross.poly", "--only", "gabriel", "--crossings", "snap", "--json"];
+    assert_eq!(json(folder.path(), &words, 0)["results"].as_array().unwrap().len(), 1);
+    for more in [&["--scaling", "50"][..], &["--time-limit", "-1"]] {
+        let words = [&["compare", "--only", "gabriel"], more].concat();
+        assert_eq!(run(folder.path(), &words).0, 2, "{more:?}");
+    }
+}
+
+/// A method that a limit stops has a row that says so, with what is proved of it all the same. That is no failure.
+#[test]
+fn a_method_that_is_stopped_is_a_row() {
+    let folder = folder();
+    std::fs::write(folder.path().join("kite.poly"), KITE).unwrap();
+    let words = ["compare", "kite.poly", "--only", "delaunay,saalfeld", "--vertices-max", "4"];
+    let (status, out, error) = run(folder.path(), &words);
+    assert_eq!(status, 0, "{error}");
+    assert_eq!(out.matches("  stopped: constrained delaunay\n").count(), 2, "{out}");
+    assert!(out.contains("2 results, 2 proved, 2 stopped by a limit"), "{out}");
+    let object = json(folder.path(), &[&words[..], &["--json"]].concat(), 0);
+    let row = &object["results"][0];
+    assert_eq!((&row["complete"], &row["steiner"]), (&false.into(), &0.into()));
+    assert!(row["ignores_order"].is_null() && row["check"]["ok"] == true, "{row}");
+}
+
+/// Another program's conforming triangulation, its Steiner points in doubles: on the segment, a little off it, and with none.
+#[test]
+fn the_judge_takes_steiner_points_in_doubles() {
+    let folder = folder();
+    std::fs::write(folder.path().join("kite.poly"), KITE).unwrap();
+    let output = |middle: &str, edges: &str| {
+        let text = format!(
+            r#"{{"V": [[0,0],[3,1],[6,0],[3,-1],{middle}], "EV": {edges}, "FV": [[0,1,4],[4,1,2],[0,4,3],[4,2,3]]}}"#
+        );
+        std::fs::write(folder.path().join("out.lar.json"), text).unwrap();
+        let words = ["check", "kite.poly", "out.lar.json", "--as", "conforming", "--json"];
+        let (status, out, error) = run(folder.path(), &words);
+        assert!(error.is_empty(), "{error}");
+        (status, serde_json::from_str::<Value>(&out).unwrap()["check"].take())
+    };
+    for edges in ["[[0,4],[4,2]]", "[]"] {
+        let (status, check) = output("[3,0]", edges);
+        assert_eq!((status, &check["level"]), (0, &"weakly conforming delaunay".into()), "{check}");
+    }
+    let (status, check) = output("[3,1e-30]", "[[0,4],[4,2]]");
+    assert_eq!((status, &check["fault_counts"]), (1, &serde_json::json!({ "off-segment": 1 })));
+    assert!(check["faults"][0].as_str().unwrap().contains("is 1e-30 off segment 0"), "{check}");
+    assert_eq!(check["level"], "weakly delaunay", "of its own points");
+    let (status, check) = output("[3,1e-30]", "[]");
+    assert_eq!((status, &check["fault_counts"]), (1, &serde_json::json!({ "broken-segment": 1 })));
+    // A point of the input that is left out is no Steiner point's affair.
+    std::fs::write(
+        folder.path().join("more.poly"),
+        KITE.replace("4 2 0 0\n", "5 2 0 0\n").replace("1 0\n1 1 3", "5 3 0.5\n1 0\n1 1 3"),
+    )
+    .unwrap();
+    let words = ["check", "more.poly", "out.lar.json", "--as", "conforming", "--json"];
+    assert_eq!(json(folder.path(), &words, 1)["check"]["fault_counts"]["unused-point"], 1);
+}
+
+/// What we write is accepted where rounding moved nothing off its segment; else the judge names each point, as many as we count.
+#[test]
+fn what_conform_writes_is_judged() {
+    let folder = folder();
+    for workload in ["coast", "comb", "random-segments"] {
+        let words = ["gen", workload, "-n", "60", "-o", "in.poly"];
+        assert_eq!(run(folder.path(), &words).0, 0, "{workload}");
+        let told = json(folder.path(), &["conform", "in.poly", "-o", "out.lar.json", "--json"], 0);
+        let words = ["check", "in.poly", "out.lar.json", "--as", "conforming", "--json"];
+        let expected = i32::from(told["rounded_vertices"] != 0);
+        let check = &json(folder.path(), &words, expected)["check"];
+        let off = check["fault_counts"]["off-segment"].as_u64().unwrap_or(0);
+        assert!(off <= told["rounded_vertices"].as_u64().unwrap(), "{workload}: {check}");
+        assert_eq!(off > 0, expected == 1, "{workload}: {check}");
     }
 }

@@ -1,5 +1,6 @@
 //! `delone compare --scaling`: each algorithm on workloads of growing size; how time and the number of tests grow.
 
+use delone_conforming::methods;
 use delone_delaunay::Options;
 use delone_draw::{Anchor, Cell, Plot, Report, Series, Table, Tone};
 use delone_workloads::{Workload, find};
@@ -56,11 +57,17 @@ impl Growth {
     }
 }
 
-pub(super) fn scaling(arguments: &cli::Compare) -> Result<(), Failure> {
+pub(super) fn scaling(arguments: &cli::Compare, only: &[&str]) -> Result<(), Failure> {
+    if let Some(method) = methods().iter().find(|method| only.contains(&method.name)) {
+        return Err(Failure::Input(format!(
+            "--scaling is of algorithms that all make one triangulation: {} adds Steiner points",
+            method.name
+        )));
+    }
     let mut growths = Vec::new();
     for name in &arguments.workloads {
         let workload = find(name).map_err(Failure::input)?;
-        growths.push(growth(workload, arguments)?);
+        growths.push(growth(workload, arguments, only)?);
     }
     if let Some(path) = &arguments.html {
         output::text(path, &page(&growths))?;
@@ -76,12 +83,16 @@ pub(super) fn scaling(arguments: &cli::Compare) -> Result<(), Failure> {
     if growths.iter().all(Growth::is_good) { Ok(()) } else { Err(Failure::Difference(None)) }
 }
 
-fn growth(workload: &'static Workload, arguments: &cli::Compare) -> Result<Growth, Failure> {
+fn growth(
+    workload: &'static Workload,
+    arguments: &cli::Compare,
+    only: &[&str],
+) -> Result<Growth, Failure> {
     let mut curves: Vec<Curve> = Vec::new();
     for &size in &arguments.scaling {
         let subject = Subject::generated(workload.name, &workload.generate(size, arguments.seed))?;
         for algorithm in engine::names(&subject) {
-            if !arguments.only.is_empty() && !arguments.only.iter().any(|name| name == algorithm) {
+            if !only.is_empty() && !only.contains(&algorithm) {
                 continue;
             }
             let place = curves.iter().position(|curve| curve.algorithm == algorithm);

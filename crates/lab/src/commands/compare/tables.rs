@@ -2,7 +2,7 @@
 
 use super::Comparison;
 
-const HEADS: [&str; 10] = [
+const HEADS: [&str; 11] = [
     "input",
     "sites",
     "segments",
@@ -13,24 +13,25 @@ const HEADS: [&str; 10] = [
     "judge s",
     "orientations",
     "in-spheres",
+    "steiner",
 ];
 
-fn rows(comparison: &Comparison) -> impl Iterator<Item = [String; 10]> + '_ {
+fn rows(comparison: &Comparison) -> impl Iterator<Item = [String; 11]> + '_ {
     comparison.entries.iter().flat_map(|entry| {
         entry.rows.iter().map(|row| {
-            let verdict =
-                if row.verdict.ok { row.verdict.level.name() } else { "not proved" }.to_owned();
+            let steiner = row.added.as_ref().map_or(String::new(), |a| a.points.to_string());
             [
                 entry.subject.name().to_owned(),
                 entry.subject.site_count().to_string(),
                 entry.subject.document.segments.len().to_string(),
                 row.algorithm.to_owned(),
-                verdict,
+                row.word(),
                 row.sizes.cells.to_string(),
                 format!("{:.3e}", row.seconds),
                 format!("{:.3e}", row.check_seconds),
                 row.counts.orients.to_string(),
                 row.counts.in_spheres.to_string(),
+                steiner,
             ]
         })
     })
@@ -42,19 +43,19 @@ pub(super) fn csv(comparison: &Comparison) -> String {
         if is_plain { text.clone() } else { format!("\"{}\"", text.replace('"', "\"\"")) }
     };
     let line =
-        |row: [String; 10]| format!("{}\n", row.iter().map(cell).collect::<Vec<_>>().join(","));
+        |row: [String; 11]| format!("{}\n", row.iter().map(cell).collect::<Vec<_>>().join(","));
     format!("{}\n{}", HEADS.join(","), rows(comparison).map(line).collect::<String>())
 }
 
 pub(super) fn latex(comparison: &Comparison) -> String {
-    let line = |row: [String; 10]| {
+    let line = |row: [String; 11]| {
         let cells: Vec<String> = row.iter().map(|text| escaped(text)).collect();
         format!("{} \\\\\n", cells.join(" & "))
     };
     let rows: String = rows(comparison).map(line).collect();
     let heads = HEADS.join(" & ");
     format!(
-        "\\begin{{tabular}}{{lrrllrrrrr}}\n\\toprule\n{heads} \\\\\n\\midrule\n{rows}\\bottomrule\n\\end{{tabular}}\n"
+        "\\begin{{tabular}}{{lrrllrrrrrr}}\n\\toprule\n{heads} \\\\\n\\midrule\n{rows}\\bottomrule\n\\end{{tabular}}\n"
     )
 }
 

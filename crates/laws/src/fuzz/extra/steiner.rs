@@ -2,17 +2,15 @@
 
 use delone::Pslg;
 use delone::cdt::Fill;
-use delone::check::{Conformed, Level, Options, Promise, SteinerPoint, judge_conforming};
+use delone::check::{Level, Promise};
 use delone::conforming::{
-    ConformOptions, Conforming, Limits, RefineOptions, Refined, SteinerPoint as Added, methods,
-    refine,
+    ConformOptions, Conforming, Limits, RefineOptions, Refined, methods, refine,
 };
 use delone::mesh::CellId;
 use delone::predicates::{Dyadic, Homogeneous, Metric, Sign};
 
 use crate::case::Case;
-use crate::id;
-use crate::judge::solid_cells;
+use crate::judge;
 use crate::laws::Law;
 
 /// Few enough to be quick; gaps of one unit in the last place would take any number.
@@ -28,11 +26,7 @@ fn conforming(case: &Case<2>) -> usize {
     let shuffled = case.shuffled(1).pslg();
     for method in methods() {
         let result = (method.run)(&pslg, &options, &mut ());
-        let promise = match (result.is_complete(), method.empties_disks) {
-            (false, _) => Promise::Constrained,
-            (true, false) => Promise::Conforming,
-            (true, true) => Promise::EmptyDisks,
-        };
+        let promise = judge::promise(&method, &result);
         accept(case, &pslg, &result, promise);
         if result.is_complete() {
             let other = (method.run)(&shuffled, &options, &mut ());
@@ -48,22 +42,7 @@ fn accept(case: &Case<2>, pslg: &Pslg, result: &Conforming, promise: Promise) {
         assert!(result.steiner_points().is_empty(), "{}: points in a flat", case.name);
         return;
     }
-    let count = result.positions().len();
-    let on = result.steiner_points().iter().enumerate().map(|(i, point)| match point {
-        Added::On { ends, t, .. } => {
-            SteinerPoint::On { ends: *ends, mantissa: t.mantissa(), exponent: t.exponent() }
-        }
-        Added::Free => SteinerPoint::At(result.positions()[result.site_count() + i]),
-    });
-    let conformed = Conformed {
-        points: pslg.sites().points(),
-        steiner: &on.collect::<Vec<_>>(),
-        cells: &solid_cells(result.mesh(), &(0..id(count)).collect::<Vec<_>>()),
-        segments: pslg.segments(),
-        constrained: result.constrained_edges(),
-        promise,
-    };
-    let verdict = judge_conforming(&conformed, &Options::default());
+    let verdict = judge::conforming(pslg, result, promise);
     let level =
         if promise == Promise::Constrained { Level::Constrained } else { Level::Conforming };
     assert!(verdict.ok && verdict.level == level, "{}, {promise:?}: {verdict}", case.name);
