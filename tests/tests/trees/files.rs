@@ -33,7 +33,7 @@ fn drawing(document: &Document, labels: &mut Labels) -> &'static str {
     if segments.len() > pieces_max() {
         return "too long";
     }
-    let drawn = Drawn { points: &points, segments: &segments, rule: Rule::EvenOdd, depth: PLANE };
+    let drawn = Drawn { points: points, segments: &segments, rule: Rule::EvenOdd, depth: PLANE };
     if !is_closed(&drawn) {
         return "open";
     }
@@ -53,13 +53,13 @@ fn surface(document: &Document, labels: &mut Labels) -> &'static str {
     }
     let faces: Vec<[usize; 3]> =
         document.triangles.iter().map(|face| face.map(|v| v as usize)).collect();
-    let Ok(solid) = Solid::new(&points, &faces, Rule::EvenOdd) else { return "open" };
+    let Ok(solid) = Solid::new(points, &faces, Rule::EvenOdd) else { return "open" };
     let Some(trees) = solid_trees(&solid, SPACE) else { return "too fine for doubles" };
     obey_in_space(&trees);
     labels.add(&document.name, &trees[1], Joined::ByFacets);
     labels.add(&document.name, &trees[1], Joined::AtCorners);
     // Where the surface does not meet itself, both rules agree, and the volume is the sum of signed tetrahedra.
-    let Ok(winding) = Solid::new(&points, &faces, Rule::NonZero) else {
+    let Ok(winding) = Solid::new(points, &faces, Rule::NonZero) else {
         return "closed, but not oriented: every law held";
     };
     if solid_trees(&winding, SPACE).as_ref() != Some(&trees) {
