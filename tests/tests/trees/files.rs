@@ -33,7 +33,7 @@ fn drawing(document: &Document, labels: &mut Labels) -> &'static str {
     if segments.len() > pieces_max() {
         return "too long";
     }
-    let drawn = Drawn { points: points, segments: &segments, rule: Rule::EvenOdd, depth: PLANE };
+    let drawn = Drawn { points, segments: &segments, rule: Rule::EvenOdd, depth: PLANE };
     if !is_closed(&drawn) {
         return "open";
     }
