@@ -97,6 +97,9 @@ fn free_vertices_come_and_go() {
     for _ in 0..30 {
         let cdt = cavity(&graph, &Options::default(), &mut ());
         let mut live = Live::new(&cdt, &graph);
+        for cell in cdt.cells() {
+            live.region_at[cell.index()] = 1;
+        }
         let mut present: Vec<VertexId> = Vec::new();
         let (mut region, mut removed) = (Region::default(), Vec::new());
         for _ in 0..60 {
@@ -129,7 +132,7 @@ fn free_vertices_come_and_go() {
             apexes: Apexes::new(&cdt, &live),
             live,
             quality: Quality::new(&options, 16.0),
-            inside: vec![true],
+            inside: vec![false, true],
             options: &options,
             pieces: VecDeque::new(),
             triangles: Queue::default(),
