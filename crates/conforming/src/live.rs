@@ -43,9 +43,6 @@ pub(crate) type PieceId = u32;
 /// No piece.
 const NONE: PieceId = u32::MAX;
 
-/// The region of a cell that is none.
-const RETIRED: u32 = u32::MAX;
-
 /// A subsegment: a piece of a segment, which is an edge of the mesh.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Piece {
@@ -304,14 +301,15 @@ impl Live {
         }
     }
 
+    /// Gives the slot of a cell away. Nobody takes it for what was there.
     fn retire(&mut self, cell: CellId) {
         self.mesh.retire(cell);
-        self.region_at[cell.index()] = RETIRED;
+        self.mesh.set_corners(cell, &[VertexId::GHOST; 3]);
     }
 
     /// Whether a cell is one of these corners. Its slot may be that of another by now, or of none.
     pub(crate) fn is_still(&self, cell: CellId, corners: [VertexId; 3]) -> bool {
-        self.region_at[cell.index()] != RETIRED && self.mesh.triangle(cell) == corners
+        self.mesh.triangle(cell) == corners
     }
 
     /// A new cell in a region, its edges free.

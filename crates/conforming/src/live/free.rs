@@ -225,12 +225,11 @@ impl Live {
             let outside = (self.mesh.twin(rim), self.piece_at[rim.index()]);
             polygon.push((self.mesh.destination(spoke), outside));
         }
-        let mut star = cell;
         for &(_, (outside, _)) in &polygon {
-            star = self.mesh.twin(outside).cell();
+            let star = self.mesh.twin(outside).cell();
+            debug_assert!(self.mesh.triangle(star).contains(&v), "the star is that of v");
             self.retire(star);
         }
-        debug_assert!(self.mesh.corners(star).contains(&v), "the star is that of v");
         let mut at = 0;
         for _ in 0..polygon.len() * polygon.len() {
             let [a, b, c] = [at, at + 1, at + 2].map(|i| i % polygon.len());

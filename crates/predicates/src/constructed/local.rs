@@ -36,7 +36,7 @@ pub(super) fn in_circle([a, b, c, q]: [&[f64; 2]; 4]) -> Option<Sign> {
 }
 
 /// The same by what is known already: the squared distances from the last point, and the largest magnitude of any coordinate. A little
-/// less sharp, and half the work.
+/// less sharp, and shorter.
 #[inline(always)]
 pub(super) fn in_circle_within(value: f64, heights: [f64; 3], m: f64) -> Option<Sign> {
     let larger = |x: f64, y: f64| if x > y { x } else { y }; // none is NaN where what follows is certain
