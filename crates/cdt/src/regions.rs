@@ -64,7 +64,11 @@ impl Regions {
         }
         let is_hull = |h: HalfEdge| mesh.is_ghost(h.cell()) != mesh.is_ghost(mesh.twin(h).cell());
         let is_cut = |h: HalfEdge| cdt.is_constrained(h) || (shore == Shore::Hull && is_hull(h));
-        let (of_cell, count) = flooded(mesh, &graph.ranks(), is_cut);
+        let ranks = graph.ranks();
+        let (of_cell, count) = match shore {
+            Shore::Segments => flooded(mesh, &ranks, |h| cdt.is_constrained(h)),
+            Shore::Hull => flooded(mesh, &ranks, is_cut),
+        };
         let shore = mesh.ghost_cells().flat_map(|cell| mesh.facets(cell));
         let shore = shore.filter(|&h| is_cut(h) && !cdt.is_constrained(h));
         let mut shore: Vec<RegionId> =
@@ -130,9 +134,16 @@ pub(crate) struct Step {
     pub(crate) leftwards: bool,
 }
 
+/// The place of the leftmost corner in the order of the plane.
+#[inline]
+fn leftmost_corner(mesh: &Mesh<2>, ranks: &[u32], cell: CellId) -> u32 {
+    let [a, b, c] = mesh.triangle(cell).map(|v| ranks[v.index()]);
+    a.min(b).min(c)
+}
+
 /// The corners' places in the order of the plane, leftmost first.
 fn key(mesh: &Mesh<2>, ranks: &[u32], cell: CellId) -> [u32; 3] {
-    let mut corners = [0, 1, 2].map(|corner| ranks[mesh.vertex(cell, corner).index()]);
+    let mut corners = mesh.triangle(cell).map(|v| ranks[v.index()]);
     corners.sort_unstable();
     corners
 }
@@ -147,7 +158,8 @@ fn flooded(
     let mut of_cell = vec![NONE; mesh.cell_count()];
     let mut leftmost: Vec<[u32; 3]> = Vec::new();
     let mut stack = Vec::new();
-    for start in mesh.ghost_cells().take(1).chain(mesh.solid_cells()) {
+    // All ghosts are met from the first, so that the others are those of solid cells.
+    for start in mesh.ghost_cells().take(1).chain(mesh.cells()) {
         if of_cell[start.index()] != NONE {
             continue;
         }
@@ -156,12 +168,12 @@ fn flooded(
         of_cell[start.index()] = number;
         stack.push(start);
         while let Some(cell) = stack.pop() {
-            if number > 0 {
+            if number > 0 && leftmost_corner(mesh, ranks, cell) <= least[0] {
                 least = least.min(key(mesh, ranks, cell));
             }
-            for h in mesh.facets(cell).filter(|&h| !is_cut(h)) {
-                let beyond = mesh.twin(h).cell();
-                if of_cell[beyond.index()] == NONE {
+            for (corner, twin) in mesh.triangle_twins(cell).into_iter().enumerate() {
+                let beyond = twin.cell();
+                if of_cell[beyond.index()] == NONE && !is_cut(HalfEdge::new(cell, corner)) {
                     of_cell[beyond.index()] = number;
                     stack.push(beyond);
                 }

@@ -43,9 +43,6 @@ pub(crate) type PieceId = u32;
 /// No piece.
 const NONE: PieceId = u32::MAX;
 
-/// The region of a cell that is none.
-const RETIRED: u32 = u32::MAX;
-
 /// A subsegment: a piece of a segment, which is an edge of the mesh.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Piece {
@@ -137,14 +134,18 @@ pub(crate) struct Live {
 impl Live {
     /// Takes the CDT of a graph, of dimension 2.
     pub(crate) fn new(cdt: &Cdt, graph: &Pslg) -> Self {
-        let mesh = cdt.mesh().clone();
+        let mut mesh = cdt.mesh().clone();
+        // Few graphs take more than three times their cells; arrays that grow are copied each time.
+        let room = 3 * mesh.cell_count();
+        mesh.reserve(room);
         let ranks = graph.sites().ranks();
         let forwards = |&[a, b]: &[u32; 2]| {
             if ranks[a as usize] < ranks[b as usize] { [a, b] } else { [b, a] }
         };
         let segments: Vec<[u32; 2]> = graph.subsegments().iter().map(forwards).collect();
         let mut halves = vec![None; segments.len()];
-        let mut piece_at = vec![NONE; 3 * mesh.cell_count()];
+        let mut piece_at = Vec::with_capacity(3 * room);
+        piece_at.resize(3 * mesh.cell_count(), NONE);
         for (h, place) in constrained_half_edges(cdt, graph) {
             halves[place] = Some(h);
             piece_at[h.index()] = piece_id(place);
@@ -155,7 +156,8 @@ impl Live {
             half: half.expect("each subsegment is an edge of the CDT"),
         });
         let pieces = pieces.collect();
-        let region_at = vec![0; mesh.cell_count()];
+        let mut region_at = Vec::with_capacity(room);
+        region_at.resize(mesh.cell_count(), 0);
         let (sites, kernel) = (graph.sites().len(), graph.kernel());
         let length = |&[a, b]: &[u32; 2]| length([a, b].map(|v| kernel.position(v)));
         let lengths = segments.iter().map(length).collect();
@@ -174,6 +176,13 @@ impl Live {
             polygon: Vec::new(),
             made: Vec::new(),
         }
+    }
+
+    /// The nearest doubles of three vertices. (Not by `map`, which the compiler does not always take apart.)
+    #[inline(always)]
+    pub(crate) fn positions(&self, [a, b, c]: [VertexId; 3]) -> [[f64; 2]; 3] {
+        let positions = self.kernel.positions();
+        [positions[a.index()], positions[b.index()], positions[c.index()]]
     }
 
     /// The piece that an edge is.
@@ -292,25 +301,34 @@ impl Live {
         }
     }
 
+    /// Gives the slot of a cell away. Nobody takes it for what was there.
     fn retire(&mut self, cell: CellId) {
         self.mesh.retire(cell);
-        self.region_at[cell.index()] = RETIRED;
+        self.mesh.set_corners(cell, &[VertexId::GHOST; 3]);
     }
 
     /// Whether a cell is one of these corners. Its slot may be that of another by now, or of none.
     pub(crate) fn is_still(&self, cell: CellId, corners: [VertexId; 3]) -> bool {
-        self.region_at[cell.index()] != RETIRED && self.mesh.corners(cell) == corners
+        self.mesh.triangle(cell) == corners
     }
 
     /// A new cell in a region, its edges free.
     fn add(&mut self, corners: [VertexId; 3], region: u32) -> CellId {
-        let cell = self.mesh.add_cell(&corners);
-        let count = self.mesh.cell_count();
-        if self.region_at.len() < count {
-            self.piece_at.resize(3 * count, NONE);
-            self.region_at.resize(count, 0);
+        let cell = self.claim(region);
+        let twins = [0, 1, 2].map(|corner| HalfEdge::new(cell, corner));
+        self.mesh.set_triangle(cell, corners, twins);
+        cell
+    }
+
+    /// The slot of a cell in a region. What it holds is of no meaning, if its edges are known to be free.
+    fn claim(&mut self, region: u32) -> CellId {
+        let cell = self.mesh.claim_triangle();
+        if cell.index() < self.region_at.len() {
+            self.region_at[cell.index()] = region;
+        } else {
+            self.region_at.push(region);
+            self.piece_at.extend_from_slice(&[NONE; 3]);
         }
-        self.region_at[cell.index()] = region;
         cell
     }
 

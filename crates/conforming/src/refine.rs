@@ -158,6 +158,7 @@ pub fn refine(
         live.region_at[cell.index()] = inside.regions().of_cell(cell);
     }
     let inside = inside.by_region().to_vec();
+    debug_assert!(!inside[0], "the exterior, which has all ghosts, is not inside");
     let apexes = Apexes::new(&cdt, &live);
     let quality = Quality::new(options, farthest(pslg.sites().points()));
     let mut work = Work {
@@ -204,7 +205,7 @@ impl Work<'_> {
         loop {
             let done = self.live.kernel.len();
             if done >= self.options.limits.vertices_max || !probe.goes_on() {
-                return self.pieces.is_empty() && self.triangles.is_empty();
+                return self.pieces.is_empty() && self.only_exceptions_wait();
             }
             if let Some((piece, forced)) = self.pieces.pop_front() {
                 let must = match forced {
@@ -229,20 +230,41 @@ impl Work<'_> {
 
     #[inline]
     fn is_inside(&self, cell: CellId) -> bool {
-        self.inside[self.live.region_at[cell.index()] as usize] && !self.live.mesh.is_ghost(cell)
+        self.inside[self.live.region_at[cell.index()] as usize]
     }
 
     /// Queues a triangle that does not keep the bounds.
     fn test(&mut self, cell: CellId) {
-        if !self.is_inside(cell) {
-            return;
+        if self.is_inside(cell) {
+            self.judge(cell, self.live.mesh.triangle(cell));
         }
-        let corners = corners(&self.live, cell);
-        let Some((flaw, urgency)) = self.quality.flaw(&self.live, corners) else { return };
-        if flaw == Flaw::Skinny && subtends_input_angle(&self.live, &self.apexes, corners) {
-            return self.left_alone.push((cell, corners, Reason::InputAngle));
+    }
+
+    /// The same of one that is inside.
+    #[inline]
+    fn judge(&mut self, cell: CellId, corners: [VertexId; 3]) {
+        if let Some((_, urgency)) = self.quality.flaw(&self.live, corners) {
+            self.triangles.push(urgency, cell, corners);
         }
-        self.triangles.push(urgency, cell, corners);
+    }
+
+    /// Whether a triangle that does not keep the bounds is one that no point makes better.
+    fn is_exception(&self, corners: [VertexId; 3]) -> bool {
+        let flaw = || self.quality.flaw(&self.live, corners).map(|(flaw, _)| flaw);
+        subtends_input_angle(&self.live, &self.apexes, corners) && flaw() == Some(Flaw::Skinny)
+    }
+
+    /// Whether no triangle waits but such as are gone or exceptions.
+    fn only_exceptions_wait(&mut self) -> bool {
+        while let Some((cell, corners)) = self.triangles.pop() {
+            if self.live.is_still(cell, corners) {
+                if !self.is_exception(corners) {
+                    return false;
+                }
+                self.left_alone.push((cell, corners, Reason::InputAngle));
+            }
+        }
+        true
     }
 
     /// Whether an apex inside encroaches upon a piece.
@@ -337,8 +359,23 @@ impl Work<'_> {
         }
     }
 
+    /// Puts in a vertex that encroaches upon no piece at the rim of its region.
+    fn insert(&mut self, place: Place, p: VertexId, probe: &mut impl Probe) {
+        let cell = self.live.insert_free(place, p, &mut self.region, probe);
+        if !matches!(place, Place::Inside(_)) {
+            return self.look_around(p, cell);
+        }
+        for side in 0..self.region.sides() {
+            let (cell, [a, b]) = self.region.replacement(side);
+            self.judge(cell, [p, a, b]); // inside, as what it replaces was
+        }
+    }
+
     /// Puts a vertex at the centre of a triangle, or splits what is in the way.
     fn destroy(&mut self, cell: CellId, corners: [VertexId; 3], probe: &mut impl Probe) {
+        if self.is_exception(corners) {
+            return self.left_alone.push((cell, corners, Reason::InputAngle));
+        }
         let Some(centre) = self.quality.centre(&self.live, corners) else {
             return self.left_alone.push((cell, corners, Reason::Unreachable));
         };
@@ -354,12 +391,13 @@ impl Work<'_> {
             Some(Place::Behind(piece)) => self.region.pieces.push(piece),
             Some(place) => {
                 self.live.search(place, p, &mut self.region, probe);
-                let mut pieces = std::mem::take(&mut self.region.pieces);
-                pieces.retain(|&piece| self.encroaches(piece, p));
-                self.region.pieces = pieces;
+                if !self.region.pieces.is_empty() {
+                    let mut pieces = std::mem::take(&mut self.region.pieces);
+                    pieces.retain(|&piece| self.encroaches(piece, p));
+                    self.region.pieces = pieces;
+                }
                 if self.region.pieces.is_empty() {
-                    let cell = self.live.insert_free(place, p, &mut self.region, probe);
-                    return self.look_around(p, cell);
+                    return self.insert(place, p, probe);
                 }
             }
         }
@@ -376,12 +414,6 @@ impl Work<'_> {
 /// The largest magnitude of a coordinate.
 fn farthest(points: &[[f64; 2]]) -> f64 {
     points.as_flattened().iter().fold(0.0, |m: f64, x| m.max(x.abs()))
-}
-
-#[inline]
-fn corners(live: &Live, cell: CellId) -> [VertexId; 3] {
-    let corners = live.mesh.corners(cell);
-    [corners[0], corners[1], corners[2]]
 }
 
 #[cfg(test)]

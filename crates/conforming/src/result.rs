@@ -6,7 +6,7 @@ use delone_mesh::{CellId, HalfEdge, Mesh, VertexId};
 use delone_predicates::{Constructed, Dyadic, Kernel};
 use delone_sites::{Noded, Pslg};
 
-use crate::live::{Live, Steiner, id};
+use crate::live::{Live, Piece, Steiner, id};
 
 /// A vertex that was added.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -37,6 +37,30 @@ pub struct Conforming {
     is_complete: bool,
 }
 
+/// The ends of pieces, smaller first, in increasing order, and the segment of each. By the smaller end they are counted, not compared.
+fn sorted(pieces: &[Piece], vertices: usize) -> (Vec<[u32; 2]>, Vec<u32>) {
+    let ends = |piece: &Piece| {
+        let [a, b] = piece.ends.map(id);
+        [a.min(b), a.max(b)]
+    };
+    let mut starts = vec![0usize; vertices + 2];
+    pieces.iter().for_each(|piece| starts[ends(piece)[0] as usize + 2] += 1);
+    let mut sum = 0;
+    for start in &mut starts {
+        sum += *start;
+        *start = sum;
+    }
+    let mut sorted = vec![([0; 2], 0); pieces.len()];
+    for piece in pieces {
+        let ends = ends(piece);
+        let place = &mut starts[ends[0] as usize + 1];
+        sorted[*place] = (ends, piece.segment);
+        *place += 1;
+    }
+    sorted.chunk_by_mut(|a, b| a.0[0] == b.0[0]).for_each(<[_]>::sort_unstable);
+    sorted.into_iter().unzip()
+}
+
 impl Conforming {
     pub(crate) fn new(live: Live, is_complete: bool) -> Self {
         let on = |steiner: Steiner<'_>| match steiner {
@@ -46,14 +70,9 @@ impl Conforming {
             }
             Steiner::Free => SteinerPoint::Free,
         };
-        let steiner = live.steiner.iter().map(on).collect();
-        let named = live.pieces.iter().map(|piece| {
-            let [a, b] = piece.ends.map(id);
-            ([a.min(b), a.max(b)], piece.segment)
-        });
-        let mut named: Vec<([u32; 2], u32)> = named.collect();
-        named.sort_unstable();
-        let (constrained, parents) = named.into_iter().unzip();
+        let mut steiner = Vec::with_capacity(live.steiner.len());
+        steiner.extend(live.steiner.iter().map(on));
+        let (constrained, parents) = sorted(&live.pieces, live.kernel.len());
         let Live { mesh, kernel, sites, .. } = live;
         Self { mesh, kernel, sites, steiner, constrained, parents, is_complete }
     }

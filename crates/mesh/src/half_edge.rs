@@ -14,6 +14,43 @@ use crate::{CellId, FacetId, Mesh, VertexId};
 pub type HalfEdge = FacetId<2>;
 
 impl Mesh<2> {
+    /// The corners of a triangle. The mesh must be of dimension 2.
+    #[inline]
+    #[must_use]
+    pub fn triangle(&self, cell: CellId) -> [VertexId; 3] {
+        let corners = self.corners_of(cell);
+        [corners[0], corners[1], corners[2]]
+    }
+
+    /// The twins of a triangle's three half-edges. The mesh must be of dimension 2.
+    #[inline]
+    #[must_use]
+    pub fn triangle_twins(&self, cell: CellId) -> [HalfEdge; 3] {
+        let twins = self.twins_of(cell);
+        [twins[0], twins[1], twins[2]]
+    }
+
+    /// A slot for a triangle, retired or new, which is to be set.
+    #[inline]
+    pub fn claim_triangle(&mut self) -> CellId {
+        if let Some(cell) = self.free.pop() {
+            return cell;
+        }
+        let cell = CellId::new(self.cell_count());
+        let first = HalfEdge::new(cell, 0);
+        self.vertices.extend_from_slice(&[VertexId::GHOST; 3]);
+        self.twins.extend_from_slice(&[first, first.further(1), first.further(2)]);
+        cell
+    }
+
+    /// Makes a cell this triangle, with these twins. Each of them is still to be told of its own.
+    #[inline]
+    pub fn set_triangle(&mut self, cell: CellId, corners: [VertexId; 3], twins: [HalfEdge; 3]) {
+        let first = 3 * cell.index();
+        self.vertices[first..first + 3].copy_from_slice(&corners);
+        self.twins[first..first + 3].copy_from_slice(&twins);
+    }
+
     /// Where `h` starts.
     #[inline]
     #[must_use]

@@ -34,6 +34,25 @@ fn simplices_of_every_dimension_are_spheres() {
     assert_eq!(Mesh::<2>::empty().faults(Level::Sphere, 0), []);
 }
 
+/// A triangle becomes three about a vertex, the first in its slot.
+#[test]
+fn triangles_are_claimed_and_set() {
+    let mut mesh = simplex::<2>(2);
+    let old = CellId::new(0);
+    let (corners, outer) = (mesh.triangle(old), mesh.triangle_twins(old));
+    assert_eq!(corners, [v(0), v(1), v(2)]);
+    mesh.retire(old);
+    let cells = [0; 3].map(|_| mesh.claim_triangle());
+    assert_eq!(cells, [0, 4, 5].map(CellId::new), "one is free, and there are three ghosts");
+    for i in 0..3 {
+        let (next, last) = ((i + 1) % 3, (i + 2) % 3);
+        let twins = [outer[i], HalfEdge::new(cells[next], 2), HalfEdge::new(cells[last], 1)];
+        mesh.set_triangle(cells[i], [v(3), corners[next], corners[last]], twins);
+        mesh.glue(HalfEdge::new(cells[i], 0), outer[i]);
+    }
+    assert_eq!(mesh.faults(Level::Sphere, 4), []);
+}
+
 /// Splits a cell at the vertex.
 fn split(mesh: &mut Mesh<3>, cavity: &mut Cavity<3>, cell: CellId, vertex: usize) {
     cavity.dig(mesh, cell, |_| false);

@@ -91,6 +91,8 @@ pub struct Constructed<const D: usize> {
     bounds: Bounds,
     /// Of the positions as nearest doubles.
     wide: Bounds,
+    /// The largest magnitude of a coordinate of these.
+    far: f64,
 }
 
 impl<const D: usize> Constructed<D> {
@@ -111,6 +113,7 @@ impl<const D: usize> Constructed<D> {
             extent_exact: extent,
             bounds: extent.bounds(),
             wide: extent.wide_bounds(),
+            far: extent.far(),
         }
     }
 
@@ -141,6 +144,7 @@ impl<const D: usize> Constructed<D> {
         self.places.push(place);
         if self.extent.include(&position) {
             self.wide = self.extent.wide_bounds();
+            self.far = self.extent.far();
         }
         if place & ROUNDED == 0 && self.extent_exact.include(&position) {
             self.bounds = self.extent_exact.bounds();
@@ -348,7 +352,7 @@ impl<const D: usize> Kernel<D> for Constructed<D> {
 
     #[inline(always)]
     fn orient_staged<V: Id>(&self, simplex: &[V]) -> (Sign, Stage) {
-        if simplex.iter().all(|v| v.index() < self.exact_below) {
+        if simplex.iter().rev().all(|v| v.index() < self.exact_below) {
             return self.nearest().orient_staged(simplex);
         }
         self.orient_mixed(simplex)
@@ -356,7 +360,8 @@ impl<const D: usize> Kernel<D> for Constructed<D> {
 
     #[inline(always)]
     fn lifted_staged<V: Id>(&self, simplex: &[V], q: V) -> (Sign, Stage) {
-        if simplex.iter().chain([&q]).all(|v| v.index() < self.exact_below) {
+        // The last first: it is often a vertex that has just been added.
+        if [&q].into_iter().chain(simplex).all(|v| v.index() < self.exact_below) {
             return self.nearest().lifted_staged(simplex, q);
         }
         self.lifted_mixed(simplex, q)
@@ -377,9 +382,9 @@ impl<const D: usize> Constructed<D> {
 
     /// The same.
     #[inline]
-    fn lifted_locally<V: Id>(&self, simplex: &[V], q: V, value: f64) -> Option<(Sign, Stage)> {
+    fn lifted_locally<V: Id>(&self, simplex: &[V], q: V) -> Option<(Sign, Stage)> {
         let sign = match *simplex {
-            [a, b, c] if D == 2 => local::in_circle(at(&self.positions, [a, b, c, q]), value),
+            [a, b, c] if D == 2 => local::in_circle(at(&self.positions, [a, b, c, q])),
             _ => None,
         };
         sign.map(|sign| (sign, Stage::DynamicFilter))
@@ -404,16 +409,6 @@ impl<const D: usize> Constructed<D> {
         }
     }
 
-    /// The same of the lifted determinant.
-    #[inline(always)]
-    fn lifted_value<V: Id>(&self, simplex: &[V], q: V) -> f64 {
-        match *simplex {
-            [a, b, c] if D == 2 => value::in_circle(at(&self.positions, [a, b, c, q])),
-            [a, b, c, d] if D == 3 => value::in_sphere(at(&self.positions, [a, b, c, d, q])),
-            _ => 0.0,
-        }
-    }
-
     // The filters hold for exact vertices too: whether all are is asked only where these do not decide, so that most calls look at
     // positions and at nothing else.
     #[inline]
@@ -426,10 +421,22 @@ impl<const D: usize> Constructed<D> {
 
     #[inline]
     fn lifted_mixed<V: Id>(&self, simplex: &[V], q: V) -> (Sign, Stage) {
-        let value = self.lifted_value(simplex, q);
-        Self::by_static_filter(value, self.wide.lifted)
-            .or_else(|| self.lifted_locally(simplex, q, value))
-            .unwrap_or_else(|| self.lifted_unfiltered(simplex, q))
+        let certain = match *simplex {
+            [a, b, c] if D == 2 => {
+                let points = at(&self.positions, [a, b, c, q]);
+                let (value, heights) = value::in_circle_and_heights(points);
+                Self::by_static_filter(value, self.wide.lifted).or_else(|| {
+                    let sign = local::in_circle_within(value, heights, self.far)?;
+                    Some((sign, Stage::DynamicFilter))
+                })
+            }
+            [a, b, c, d] if D == 3 => {
+                let value = value::in_sphere(at(&self.positions, [a, b, c, d, q]));
+                Self::by_static_filter(value, self.wide.lifted)
+            }
+            _ => None,
+        };
+        certain.unwrap_or_else(|| self.lifted_unfiltered(simplex, q))
     }
 
     #[inline(never)]
@@ -442,6 +449,9 @@ impl<const D: usize> Constructed<D> {
 
     #[inline(never)]
     fn lifted_unfiltered<V: Id>(&self, simplex: &[V], q: V) -> (Sign, Stage) {
+        if let Some(certain) = self.lifted_locally(simplex, q) {
+            return certain;
+        }
         if self.all_exact(simplex.iter().copied().chain([q])) {
             return self.nearest().lifted_staged(simplex, q);
         }

@@ -75,20 +75,21 @@ impl<K: PlaneKernel> Work<'_, K> {
     ) -> Vec<bool> {
         let listed = Listed::new(sites, segments);
         let mut present = vec![false; segments.len()];
-        for index in 0..3 * self.mesh.cell_count() {
-            let h = HalfEdge::from_index(index);
-            let (a, b) = (self.mesh.origin(h), self.mesh.destination(h));
-            if a.is_ghost() || !listed.may_hold(a, b) || a > b {
-                continue;
-            }
-            let mut found = false;
-            for number in listed.between(a.index(), b.index()) {
-                present[number] = true;
-                probe.on(Event::Subsegment);
-                found = true;
-            }
-            if found {
-                self.mark(h);
+        for cell in self.mesh.cells() {
+            let [a, b, c] = self.mesh.triangle(cell);
+            for (corner, a, b) in [(0, b, c), (1, c, a), (2, a, b)] {
+                if a >= b || !listed.may_hold(a, b) {
+                    continue; // seen from its other side, or none; the ghost comes after all others
+                }
+                let mut found = false;
+                for number in listed.between(a.index(), b.index()) {
+                    present[number] = true;
+                    probe.on(Event::Subsegment);
+                    found = true;
+                }
+                if found {
+                    self.mark(HalfEdge::new(cell, corner));
+                }
             }
         }
         present

@@ -13,7 +13,7 @@
 //! **Cost.** A walk; O(1) for each cell in conflict; O(k^2) for a vertex of degree k that goes.
 
 use delone_mesh::{CellId, HalfEdge, VertexId};
-use delone_predicates::{Kernel, Side, Sign};
+use delone_predicates::{Kernel, Side as InCircle, Sign};
 use delone_probe::{Event, Probe};
 
 use super::{Live, NONE, PieceId};
@@ -35,44 +35,42 @@ pub(crate) enum Place {
 #[derive(Debug, Default)]
 pub(crate) struct Region {
     pub(crate) pieces: Vec<PieceId>,
-    /// The triangles, in the order in which they were found.
+    /// The triangles; when the region is replaced, those in their place, one for each side.
     cells: Vec<CellId>,
-    /// The half-edges between them and the rest, seen from inside.
-    rim: Vec<HalfEdge>,
-    /// By cell: the number of the last search that met it.
-    met: Vec<u32>,
-    search: u32,
-    /// The rim while the region is replaced.
-    outside: Vec<Outside>,
-    /// By vertex of the rim: the new cell on the side that starts there.
-    cell_from: Vec<Option<CellId>>,
+    /// Counter-clockwise.
+    rim: Vec<Side>,
+    /// Edges not yet looked at, each with its ends.
+    stack: Vec<(HalfEdge, [VertexId; 2])>,
 }
 
-/// A side of the rim from one vertex to the next, what is beyond, and the new cell inside.
+/// A side of the rim, seen from inside.
 #[derive(Clone, Copy, Debug)]
-struct Outside {
-    ends: [VertexId; 2],
+struct Side {
+    start: VertexId,
     twin: HalfEdge,
     piece: PieceId,
-    cell: CellId,
 }
 
 impl Region {
-    fn begin(&mut self, cells: usize) {
+    fn begin(&mut self, cell: CellId, [a, b, c]: [VertexId; 3]) {
         self.pieces.clear();
-        self.cells.clear();
         self.rim.clear();
-        self.met.resize(cells, 0);
-        self.search += 1;
-    }
-
-    fn take(&mut self, cell: CellId) {
-        self.met[cell.index()] = self.search;
+        self.stack.clear();
+        self.cells.clear();
         self.cells.push(cell);
+        let edge = |corner, ends| (HalfEdge::new(cell, corner), ends);
+        self.stack.extend([edge(2, [a, b]), edge(1, [c, a]), edge(0, [b, c])]);
     }
 
-    fn holds(&self, cell: CellId) -> bool {
-        self.met[cell.index()] == self.search
+    /// How many sides it has.
+    pub(crate) fn sides(&self) -> usize {
+        self.rim.len()
+    }
+
+    /// The triangle over a side, counter-clockwise, that is in its place; its corners are that for which it was replaced and this edge.
+    pub(crate) fn replacement(&self, side: usize) -> (CellId, [VertexId; 2]) {
+        let next = if side + 1 < self.rim.len() { side + 1 } else { 0 };
+        (self.cells[side], [self.rim[side].start, self.rim[next].start])
     }
 }
 
@@ -84,45 +82,41 @@ impl Live {
         p: VertexId,
         probe: &mut impl Probe,
     ) -> Option<Place> {
-        let mut cell = start;
-        let mut entered: Option<HalfEdge> = None;
+        let (mut cell, [a, b, c]) = (start, self.mesh.triangle(start));
+        let edge = |corner, ends| (HalfEdge::new(start, corner), ends);
+        let mut ways = [edge(0, [b, c]), edge(1, [c, a]), edge(2, [a, b])];
+        let mut first = 0;
         // A walk by visibility ends in a Delaunay triangulation; where constrained edges spoil that, it is given up.
         for step in 0..=self.mesh.cell_count() {
-            let mut zero = None;
-            let mut out = None;
-            for i in 0..3 {
-                let h = HalfEdge::new(cell, (i + step) % 3);
-                if entered == Some(h) {
-                    continue;
-                }
+            let (mut out, mut zero) = (None, None);
+            for &(h, [a, b]) in &ways[first..] {
                 probe.on(Event::Orient);
-                match self.kernel.orient(&[self.mesh.origin(h), self.mesh.destination(h), p]) {
+                match self.kernel.orient(&[a, b, p]) {
                     Sign::Positive => {}
                     Sign::Negative => {
-                        out = Some(h);
+                        out = Some((h, [a, b]));
                         break;
                     }
                     Sign::Zero if zero.is_some() => return Some(Place::Taken),
                     Sign::Zero => zero = Some(h),
                 }
             }
-            match (out, zero) {
-                (Some(h), _) => {
-                    if let Some(piece) = self.piece_of(h) {
-                        return Some(Place::Behind(piece));
-                    }
-                    probe.on(Event::WalkStep);
-                    let twin = self.mesh.twin(h);
-                    if self.mesh.is_ghost(twin.cell()) {
-                        return None;
-                    }
-                    (cell, entered) = (twin.cell(), Some(twin));
-                }
-                (None, None) => return Some(Place::Inside(cell)),
-                (None, Some(h)) => {
-                    return Some(self.piece_of(h).map_or(Place::On(h), Place::Behind));
-                }
+            let Some((h, [a, b])) = out else {
+                let on = |h| self.piece_of(h).map_or(Place::On(h), Place::Behind);
+                return Some(zero.map_or(Place::Inside(cell), on));
+            };
+            if let Some(piece) = self.piece_of(h) {
+                return Some(Place::Behind(piece));
             }
+            probe.on(Event::WalkStep);
+            let twin = self.mesh.twin(h);
+            let apex = self.mesh.apex(twin);
+            if apex.is_ghost() {
+                return None;
+            }
+            let onwards = [(self.mesh.next(twin), [a, apex]), (self.mesh.prev(twin), [apex, b])];
+            (cell, first) = (twin.cell(), 1);
+            (ways[1], ways[2]) = (onwards[step % 2], onwards[1 - step % 2]);
         }
         None
     }
@@ -135,41 +129,34 @@ impl Live {
         region: &mut Region,
         probe: &mut impl Probe,
     ) {
-        region.begin(self.mesh.cell_count());
-        match place {
-            Place::Inside(cell) => region.take(cell),
-            Place::On(h) => region.take(h.cell()),
-            Place::Taken | Place::Behind(_) => return,
-        }
-        let mut explored = 0;
-        while let Some(&cell) = region.cells.get(explored) {
-            explored += 1;
-            for h in self.mesh.facets(cell) {
-                if let Some(piece) = self.piece_of(h) {
-                    region.pieces.push(piece);
-                    region.rim.push(h);
-                    continue;
-                }
-                let beyond = self.mesh.twin(h).cell();
-                if region.holds(beyond) {
-                    continue;
-                }
-                if self.is_in_conflict(beyond, p, probe) {
-                    region.take(beyond);
-                } else {
-                    region.rim.push(h);
-                }
+        let seed = match place {
+            Place::Inside(cell) => cell,
+            Place::On(h) => h.cell(),
+            Place::Taken | Place::Behind(_) => return region.pieces.clear(),
+        };
+        region.begin(seed, self.mesh.triangle(seed));
+        let Region { pieces, cells, rim, stack } = region;
+        while let Some((h, [a, b])) = stack.pop() {
+            let (twin, piece) = (self.mesh.twin(h), self.piece_at[h.index()]);
+            let apex = self.mesh.apex(twin);
+            if piece != NONE {
+                pieces.push(piece);
+            } else if !apex.is_ghost() && self.is_in_conflict([apex, b, a], p, probe) {
+                cells.push(twin.cell());
+                assert!(cells.len() <= self.mesh.cell_count(), "the region is a tree of triangles");
+                stack.push((self.mesh.prev(twin), [apex, b]));
+                stack.push((self.mesh.next(twin), [a, apex]));
+                continue;
             }
+            rim.push(Side { start: a, twin, piece });
         }
     }
 
-    /// Whether a cell, which is no ghost, has a point in its circumcircle.
-    fn is_in_conflict(&self, cell: CellId, p: VertexId, probe: &mut impl Probe) -> bool {
-        if self.mesh.is_ghost(cell) {
-            return false;
-        }
+    /// Whether a triangle has a point in its circumcircle.
+    #[inline]
+    fn is_in_conflict(&self, triangle: [VertexId; 3], p: VertexId, probe: &mut impl Probe) -> bool {
         probe.on(Event::InSphere);
-        self.kernel.in_sphere(self.mesh.corners(cell), p) == Side::Positive
+        self.kernel.in_sphere(&triangle, p) == InCircle::Positive
     }
 
     /// Makes the last vertex of the kernel a vertex of the mesh, at a place inside a triangle or an edge of which `region` is what
@@ -203,39 +190,28 @@ impl Live {
 
     /// Replaces a region by the triangles of `p` over its rim, and returns one of these.
     ///
-    /// The region is star-shaped around `p`, strictly: each side of the rim has `p` on its left, so each vertex of the rim starts one side.
+    /// The region is star-shaped around `p`, strictly: each side of the rim has `p` on its left.
     fn star(&mut self, region: &mut Region, p: VertexId) -> CellId {
-        region.outside.clear();
-        for &h in &region.rim {
-            let ends = [self.mesh.origin(h), self.mesh.destination(h)];
-            let (twin, piece) = (self.mesh.twin(h), self.piece_at[h.index()]);
-            region.outside.push(Outside { ends, twin, piece, cell: h.cell() });
-        }
-        let number = self.region_at[region.cells[0].index()]; // no piece is between its cells: they are of one region
-        if region.cell_from.len() < p.index() {
-            region.cell_from.resize(self.kernel.len(), None);
-        }
+        let Region { cells, rim, .. } = region;
         // A disk of k triangles without a vertex inside has k + 2 sides.
-        assert_eq!(region.cells.len() + 2, region.outside.len(), "all vertices are on the rim");
-        for (place, side) in region.outside.iter_mut().enumerate() {
-            let [a, b] = side.ends;
-            let corners = [p, a, b];
-            side.cell = if let Some(&cell) = region.cells.get(place) {
-                self.mesh.set_corners(cell, &corners);
-                cell
-            } else {
-                self.add(corners, number)
-            };
-            self.attach(HalfEdge::new(side.cell, 0), side.twin, side.piece);
-            let before = region.cell_from[a.index()].replace(side.cell);
-            assert!(before.is_none(), "a vertex of the rim starts one side");
+        assert_eq!(cells.len() + 2, rim.len(), "all vertices are on the rim");
+        let number = self.region_at[cells[0].index()]; // no piece is between its cells: they are of one region
+        cells.extend([0, 1].map(|_| self.claim(number)));
+        let last = rim.len() - 1;
+        let (mut before, mut cell) = (cells[last], cells[0]);
+        for (place, &Side { start, twin, piece }) in rim.iter().enumerate() {
+            let next = if place == last { 0 } else { place + 1 };
+            let (after, outer) = (cells[next], HalfEdge::new(cell, 0));
+            let twins = [twin, HalfEdge::new(after, 2), HalfEdge::new(before, 1)];
+            self.mesh.set_triangle(cell, [p, start, rim[next].start], twins);
+            self.mesh.glue(outer, twin);
+            self.piece_at[outer.index()..outer.index() + 3].copy_from_slice(&[piece, NONE, NONE]);
+            if piece != NONE {
+                self.pieces[piece as usize].half = outer;
+            }
+            (before, cell) = (cell, after);
         }
-        for side in &region.outside {
-            let next = region.cell_from[side.ends[1].index()].take();
-            let next = next.expect("the rim is closed");
-            self.attach(HalfEdge::new(side.cell, 1), HalfEdge::new(next, 2), NONE);
-        }
-        region.outside[0].cell
+        cells[0]
     }
 
     /// Takes a free Steiner point out, which `cell` has. The cells in its place are in `made`.
@@ -249,12 +225,11 @@ impl Live {
             let outside = (self.mesh.twin(rim), self.piece_at[rim.index()]);
             polygon.push((self.mesh.destination(spoke), outside));
         }
-        let mut star = cell;
         for &(_, (outside, _)) in &polygon {
-            star = self.mesh.twin(outside).cell();
+            let star = self.mesh.twin(outside).cell();
+            debug_assert!(self.mesh.triangle(star).contains(&v), "the star is that of v");
             self.retire(star);
         }
-        debug_assert!(self.mesh.corners(star).contains(&v), "the star is that of v");
         let mut at = 0;
         for _ in 0..polygon.len() * polygon.len() {
             let [a, b, c] = [at, at + 1, at + 2].map(|i| i % polygon.len());
@@ -291,7 +266,7 @@ impl Live {
         }
         polygon.iter().all(|&(u, _)| {
             probe.on(Event::InSphere);
-            triangle.contains(&u) || self.kernel.in_sphere(&triangle, u) == Side::Negative
+            triangle.contains(&u) || self.kernel.in_sphere(&triangle, u) == InCircle::Negative
         })
     }
 }

@@ -35,6 +35,8 @@ pub(super) struct Quality<'a> {
     cotangent: f64,
     area_max: f64,
     size: Option<SizeField<'a>>,
+    /// Whether areas or edges are bounded at all.
+    bounds_size: bool,
     /// By how much rounded positions put off products of edges, relative, and times the shortest edge.
     rounding: f64,
     /// The square of the shortest edge at which that is less than half of what is clear.
@@ -55,41 +57,43 @@ impl<'a> Quality<'a> {
             cotangent: 1.0 / (angle / 2.0).tan(),
             area_max: options.area_max,
             size: options.size,
+            bounds_size: options.area_max < f64::INFINITY || options.size.is_some(),
             rounding,
             clear_from: (rounding / (0.5 * CLEAR)).powi(2),
         }
     }
 
     /// What is wrong, if anything, and how urgent that is.
+    #[inline]
     pub(super) fn flaw(&self, live: &Live, corners: [VertexId; 3]) -> Option<(Flaw, Urgency)> {
-        let at = corners.map(|v| live.kernel.position(id(v)));
-        let shape = Shape::new(at);
-        let flaw = if self.is_skinny(&shape, live, corners) {
+        let at = live.positions(corners);
+        let [shortest, middle, longest] = sorted_squares(at);
+        // The law of cosines. Nothing cancels, the shortest being at most either: of positive numbers, all is off by a few roundings.
+        let twice_uv = middle + (longest - shortest);
+        let (left, squares) = (twice_uv * twice_uv, 4.0 * middle * longest);
+        let right = self.cosine_square * squares;
+        // Far from the bound, and of edges long enough.
+        let is_far = (left - right).abs() > CLEAR * squares && right.is_normal();
+        let is_skinny = if is_far && shortest > self.clear_from {
+            left > right
+        } else {
+            self.is_nearly_skinny(live, corners)
+        };
+        let flaw = if is_skinny {
             Flaw::Skinny
-        } else if self.is_large(&shape, at) {
+        } else if self.bounds_size && self.is_large(live, corners, longest) {
             Flaw::Large
         } else {
             return None;
         };
-        Some((flaw, Urgency::new(shape.shortest, shape.tangent_square())))
+        Some((flaw, Urgency::new(shortest, (squares / left - 1.0).max(0.0))))
     }
 
-    /// Whether the least angle is less than the bound.
-    #[inline]
-    fn is_skinny(&self, shape: &Shape, live: &Live, corners: [VertexId; 3]) -> bool {
-        let &Shape { uv, squares, .. } = shape;
-        let (left, right) = (uv * uv, self.cosine_square * squares);
-        // Far from the bound, and of edges long enough.
-        let is_far = (left - right).abs() > CLEAR * squares && right.is_normal();
-        if is_far && shape.shortest > self.clear_from {
-            return left > right && uv > 0.0;
-        }
-        self.is_nearly_skinny(shape, live, corners)
-    }
-
+    /// Whether the least angle is less than the bound, where it is near.
     #[inline(never)]
-    fn is_nearly_skinny(&self, shape: &Shape, live: &Live, corners: [VertexId; 3]) -> bool {
-        let &Shape { uv, squares, .. } = shape;
+    fn is_nearly_skinny(&self, live: &Live, corners: [VertexId; 3]) -> bool {
+        let shape = Shape::new(live.positions(corners));
+        let Shape { uv, squares, .. } = shape;
         let (left, right) = (uv * uv, self.cosine_square * squares);
         let is_clear = |slack: f64| {
             (left - right).abs() > slack * squares && slack < 0.01 && right.is_normal()
@@ -105,13 +109,16 @@ impl<'a> Quality<'a> {
         [[p, q, r], [q, r, p], [r, p, q]].into_iter().any(|at| self.is_less(at, live))
     }
 
-    fn is_large(&self, shape: &Shape, at: [[f64; 2]; 3]) -> bool {
-        let Shape { u, v, .. } = shape;
+    /// Of a triangle whose longest edge has this square.
+    #[inline(never)]
+    fn is_large(&self, live: &Live, corners: [VertexId; 3], longest: f64) -> bool {
+        let at = live.positions(corners);
+        let (u, v) = (minus(at[1], at[0]), minus(at[2], at[0]));
         let area = 0.5 * (u[0] * v[1] - u[1] * v[0]).abs();
         area > self.area_max
             || self.size.is_some_and(|size| {
                 let third = |axis: usize| (at[0][axis] + at[1][axis] + at[2][axis]) / 3.0;
-                shape.longest.sqrt() > size([third(0), third(1)])
+                longest.sqrt() > size([third(0), third(1)])
             })
     }
 
@@ -141,8 +148,8 @@ impl<'a> Quality<'a> {
 
     /// Where to put a vertex to destroy a triangle.
     pub(super) fn centre(&self, live: &Live, corners: [VertexId; 3]) -> Option<[f64; 2]> {
-        let corners = from_shortest(live, corners).map(|v| live.kernel.position(id(v)));
-        centre(corners, self.centre, self.cotangent)
+        let at = live.positions(corners);
+        centre(rotated(at, shortest_edge(at)), self.centre, self.cotangent)
     }
 }
 
@@ -158,16 +165,13 @@ pub(super) fn products(vertices: [VertexId; 3], c: f64, live: &Live) -> [Sign; 2
     [uv.sign(), over.sign()]
 }
 
-/// A triangle in doubles: the two edges u and v from the corner that is opposite the shortest one.
+/// A triangle in doubles: the products of the two edges u and v from the corner that is opposite the shortest one.
 struct Shape {
-    u: [f64; 2],
-    v: [f64; 2],
     uv: f64,
     /// |u|^2 |v|^2
     squares: f64,
-    /// Squared lengths.
+    /// The squared length of the shortest.
     shortest: f64,
-    longest: f64,
 }
 
 impl Shape {
@@ -175,18 +179,24 @@ impl Shape {
     fn new(at: [[f64; 2]; 3]) -> Self {
         let [a, b, c] = rotated(at, shortest_edge(at));
         let (u, v, w) = (minus(a, c), minus(b, c), minus(b, a));
-        let (uu, vv) = (dot(u, u), dot(v, v));
-        Self { u, v, uv: dot(u, v), squares: uu * vv, shortest: dot(w, w), longest: uu.max(vv) }
+        Self { uv: dot(u, v), squares: dot(u, u) * dot(v, v), shortest: dot(w, w) }
     }
+}
 
-    fn tangent_square(&self) -> f64 {
-        (self.squares / (self.uv * self.uv) - 1.0).max(0.0)
-    }
+/// The squared lengths of a triangle's edges, in increasing order.
+#[inline(always)]
+fn sorted_squares([p, q, r]: [[f64; 2]; 3]) -> [f64; 3] {
+    let square = |p: [f64; 2], q: [f64; 2]| dot(minus(q, p), minus(q, p));
+    let sorted = |a: f64, b: f64| if b < a { (b, a) } else { (a, b) };
+    let (low, high) = sorted(square(p, q), square(q, r));
+    let (low, third) = sorted(low, square(r, p));
+    let (middle, high) = sorted(third, high);
+    [low, middle, high]
 }
 
 /// The corners in their order, the shortest edge being that from the first to the second.
 pub(super) fn from_shortest(live: &Live, corners: [VertexId; 3]) -> [VertexId; 3] {
-    rotated(corners, shortest_edge(corners.map(|v| live.kernel.position(id(v)))))
+    rotated(corners, shortest_edge(live.positions(corners)))
 }
 
 /// From which corner, to the next one, the shortest edge of a triangle runs.
@@ -212,10 +222,12 @@ fn rotated<T: Copy>([a, b, c]: [T; 3], first: usize) -> [T; 3] {
     }
 }
 
+#[inline(always)]
 pub(super) fn minus(p: [f64; 2], q: [f64; 2]) -> [f64; 2] {
     [p[0] - q[0], p[1] - q[1]]
 }
 
+#[inline(always)]
 pub(super) fn dot(u: [f64; 2], v: [f64; 2]) -> f64 {
     u[0] * v[0] + u[1] * v[1]
 }

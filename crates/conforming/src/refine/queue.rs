@@ -113,10 +113,6 @@ impl Queue {
         Some(entry)
     }
 
-    pub(super) fn is_empty(&self) -> bool {
-        self.words == 0
-    }
-
     /// Where an entry was put.
     fn place(&mut self, entry: (Entry, u32)) -> u32 {
         match self.free {

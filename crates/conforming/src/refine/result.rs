@@ -5,7 +5,7 @@ use delone_mesh::{CellId, VertexId};
 use delone_predicates::Kernel;
 use delone_sites::Pslg;
 
-use super::{Work, corners};
+use super::Work;
 use crate::Conforming;
 use crate::live::id;
 
@@ -148,9 +148,8 @@ impl Work<'_> {
             let mut reason = reasons[cell.index()];
             // Inv 2: what is in none of the lists keeps the bounds.
             if reason.is_none() && (!is_complete || cfg!(debug_assertions)) {
-                let flaw = self.quality.flaw(&self.live, corners(&self.live, cell));
-                assert!(flaw.is_none() || !is_complete, "Inv 2: it was queued, or listed");
-                reason = flaw.map(|_| Reason::Limit);
+                reason = self.reason_at_the_limit(self.live.mesh.triangle(cell));
+                assert!(reason.is_none() || !is_complete, "Inv 2: it was queued, or listed");
             }
             left_alone.extend(reason.map(|reason| LeftAlone { cell, reason }));
         }
@@ -161,6 +160,12 @@ impl Work<'_> {
             inside,
             left_alone,
         }
+    }
+
+    /// Why a triangle does not keep the bounds whose turn did not come, if it does not.
+    fn reason_at_the_limit(&self, corners: [VertexId; 3]) -> Option<Reason> {
+        self.quality.flaw(&self.live, corners)?;
+        Some(if self.is_exception(corners) { Reason::InputAngle } else { Reason::Limit })
     }
 
     /// Why a cell was left alone, by cell.
@@ -189,18 +194,20 @@ impl Work<'_> {
         let count = live.kernel.len();
         let mut gone = vec![false; count];
         self.removed.iter().for_each(|v| gone[v.index()] = true);
-        let order: Vec<u32> = (0u32..).take(count).filter(|&v| !gone[v as usize]).collect();
-        let mut names = vec![None; count];
-        for (name, &v) in order.iter().enumerate() {
-            names[v as usize] = Some(VertexId::new(name));
+        let mut order: Vec<u32> = Vec::with_capacity(count);
+        let mut names = Vec::with_capacity(count);
+        for (v, &is_gone) in (0u32..).zip(&gone) {
+            names.push(if is_gone { VertexId::GHOST } else { VertexId::new(order.len()) });
+            if !is_gone {
+                order.push(v);
+            }
         }
-        let name = |v: VertexId| names[v.index()];
         live.kernel = live.kernel.reordered(&order);
-        live.mesh.relabel(|v| name(v).expect("a corner stays"));
+        live.mesh.relabel(|v| names[v.index()]);
         let sites = live.sites;
-        live.steiner.retain(|place| names[sites + place].is_some());
+        live.steiner.retain(|place| !gone[sites + place]);
         for piece in &mut live.pieces {
-            piece.ends = piece.ends.map(|v| name(v).expect("the ends of a piece stay"));
+            piece.ends = piece.ends.map(|v| names[v.index()]);
         }
     }
 }

@@ -79,6 +79,22 @@ fn doubles_too_coarse_are_reported() {
     assert!(verdict.ok, "all others keep the angle: {verdict}");
 }
 
+/// Of two triangles with a small angle of the input, the one with sides of one length is an exception though its turn does not come.
+#[test]
+fn exceptions_are_told_at_the_limit_too() {
+    let (sine, cosine) = 10f64.to_radians().sin_cos();
+    for (length, is_exception) in [(8.0, true), (5.0, false)] {
+        let graph = polygon(&[[0.0, 0.0], [8.0, 0.0], [length * cosine, length * sine]]);
+        let limits = Limits { vertices_max: 0 };
+        let options = RefineOptions { limits, ..RefineOptions::default() };
+        let refined = refine(&graph, &Fill::Exterior, &options, &mut ()).unwrap();
+        let [exceptions, others] =
+            [Reason::InputAngle, Reason::Limit].map(|reason| refined.left_alone_for(reason));
+        assert_eq!([exceptions == 1, others == 1], [is_exception, !is_exception]);
+        assert!(!refined.is_complete(), "pieces were not looked at");
+    }
+}
+
 /// Between two chains that share their ends there are 1e-28, so that points on both have the same nearest doubles: what is in a lens and what is
 /// not, only exact numbers tell.
 #[test]
@@ -97,6 +113,9 @@ fn free_vertices_come_and_go() {
     for _ in 0..30 {
         let cdt = cavity(&graph, &Options::default(), &mut ());
         let mut live = Live::new(&cdt, &graph);
+        for cell in cdt.cells() {
+            live.region_at[cell.index()] = 1;
+        }
         let mut present: Vec<VertexId> = Vec::new();
         let (mut region, mut removed) = (Region::default(), Vec::new());
         for _ in 0..60 {
@@ -129,7 +148,7 @@ fn free_vertices_come_and_go() {
             apexes: Apexes::new(&cdt, &live),
             live,
             quality: Quality::new(&options, 16.0),
-            inside: vec![true],
+            inside: vec![false, true],
             options: &options,
             pieces: VecDeque::new(),
             triangles: Queue::default(),

@@ -40,6 +40,11 @@ impl<const D: usize> Extent<D> {
         Bounds { orient: 2.0 * orient, lifted: 2.0 * lifted }
     }
 
+    /// The largest magnitude of a coordinate.
+    pub(super) fn far(&self) -> f64 {
+        self.low.iter().chain(&self.high).fold(0.0, |far: f64, x| far.max(x.abs()))
+    }
+
     fn is_empty(&self) -> bool {
         self.low.iter().zip(&self.high).any(|(low, high)| low > high)
     }

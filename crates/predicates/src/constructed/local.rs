@@ -9,10 +9,12 @@
 //!   roundings of the evaluation, at most 10 u of the sum of magnitudes (`filter.rs`), 120 u D^4. Together 57.6 e D^3 + 120 u D^4.
 //! - orient, and a scalar product, is a sum of two products of 2: 2.2 e D each, and 3 u of 2 D^2. Together 4.4 e D + 6 u D^2.
 //!
-//! The bounds below are larger by more than the roundings of their own computation. Of D and m within 2^-200 and 2^200 nothing
+//! A distance of two points is at least D but for two roundings: a bound of larger D, which takes no more than the squares that are computed
+//! anyhow. The bounds below are larger by more than the roundings of their own computation. Of D and m within 2^-200 and 2^200 nothing
 //! under- or overflows but terms of 2^-1000, which are far below what the bounds have to spare.
 
 use crate::Sign;
+use crate::filter::value;
 
 const U: f64 = f64::EPSILON / 2.0;
 
@@ -28,9 +30,19 @@ pub(super) fn orient2d([a, b, c]: [&[f64; 2]; 3], value: f64) -> Option<Sign> {
 
 /// The same of the circle through the first three and the last.
 #[inline]
-pub(super) fn in_circle([a, b, c, q]: [&[f64; 2]; 4], value: f64) -> Option<Sign> {
+pub(super) fn in_circle([a, b, c, q]: [&[f64; 2]; 4]) -> Option<Sign> {
     let (d, e) = errors([a, b, c], q)?;
-    certain(value, (64.0 * e + 136.0 * U * d) * (d * d * d))
+    certain(value::in_circle([a, b, c, q]), (64.0 * e + 136.0 * U * d) * (d * d * d))
+}
+
+/// The same by what is known already: the squared distances from the last point, and the largest magnitude of any coordinate. A little
+/// less sharp, and shorter.
+#[inline(always)]
+pub(super) fn in_circle_within(value: f64, heights: [f64; 3], m: f64) -> Option<Sign> {
+    let larger = |x: f64, y: f64| if x > y { x } else { y }; // none is NaN where what follows is certain
+    let square = larger(larger(heights[0], heights[1]), heights[2]);
+    let d = square.sqrt();
+    certain(value, (64.0 * error(d, m)? + 136.0 * U * d) * (d * square))
 }
 
 /// The sign of `(b - a) . (d - c)`, which is as large as an orientation.

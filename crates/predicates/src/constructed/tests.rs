@@ -148,9 +148,12 @@ fn the_local_filter_is_right_far_from_the_origin() {
             let locally = kernel.orient_locally(&[a, b, c], value);
             assert!(locally.is_none_or(|(sign, _)| sign == orient), "{round} {call:?}");
             let (lifted, _) = kernel.lifted_by_ring(&[0, 1], &[a, b, c], q);
-            let value = kernel.lifted_value(&[a, b, c], q);
-            let locally = kernel.lifted_locally(&[a, b, c], q, value);
+            let locally = kernel.lifted_locally(&[a, b, c], q);
             assert!(locally.is_none_or(|(sign, _)| sign == lifted), "{round} {call:?}");
+            let points = at(&kernel.positions, [a, b, c, q]);
+            let (value, heights) = value::in_circle_and_heights(points);
+            let within = local::in_circle_within(value, heights, kernel.far);
+            assert!(within.is_none_or(|sign| sign == lifted), "{round} {call:?}");
             let locally = kernel.dot_locally([a, b, c, q]);
             let at = |v: usize| kernel.exact_at(v).x;
             let from = |p: usize, q: usize| {
@@ -162,7 +165,7 @@ fn the_local_filter_is_right_far_from_the_origin() {
             assert!(locally.is_none_or(|sign| sign == by_ring), "{round} {call:?}");
             if call[1] == 9 && round % 40 < 20 {
                 calls += 1;
-                decided += usize::from(locally.is_some());
+                decided += usize::from(locally.is_some() && within.is_some());
             }
         }
     }

@@ -59,8 +59,14 @@ pub(super) fn in_circle_of_space_rows([a, b, c, d]: [&[f64; 3]; 4]) -> ([[f64; 2
 
 #[inline(always)]
 pub(crate) fn in_circle(points: [&[f64; 2]; 4]) -> f64 {
+    in_circle_and_heights(points).0
+}
+
+/// The same, and the squared lengths.
+#[inline(always)]
+pub(crate) fn in_circle_and_heights(points: [&[f64; 2]; 4]) -> (f64, [f64; 3]) {
     let ([p, q, r], h) = in_circle_rows(points);
-    h[0] * minor(q, r) + h[1] * minor(r, p) + h[2] * minor(p, q)
+    (h[0] * minor(q, r) + h[1] * minor(r, p) + h[2] * minor(p, q), h)
 }
 
 /// Differences to the last point: those of two coordinates, of the third, and their squared lengths.
