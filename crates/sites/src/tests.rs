@@ -267,3 +267,17 @@ fn sites_on_threads_are_those_of_one() {
         assert_eq!(Sites::new_in_parallel(&points, threads).unwrap(), sites);
     }
 }
+
+#[test]
+fn bad_coordinates_are_found_on_any_thread() {
+    let bad = [3usize, 25_000, 39_999];
+    let points: Vec<[f64; 2]> = (0..40_000u32).map(|i| [f64::from(i), 0.0]).collect();
+    for chosen in [&bad[..1], &bad[1..2], &bad[2..], &bad[..]] {
+        let mut points = points.clone();
+        chosen.iter().for_each(|&i| points[i][1] = f64::NAN);
+        let threads = std::num::NonZeroUsize::new(3).unwrap();
+        let refused = Sites::new_in_parallel(&points, threads).unwrap_err();
+        let SitesError::NotFinite(faults) = refused else { panic!("{refused}") };
+        assert!(faults.iter().map(|fault| fault.point).eq(chosen.iter().copied()));
+    }
+}
