@@ -103,13 +103,14 @@ impl Table {
         self.graphs += 1;
         self.snapped += usize::from(is_cut);
         let mut row = format!("{name} {}", pslg.sites().len());
+        let has_segments = !pslg.subsegments().is_empty();
         for (number, method) in methods().iter().enumerate() {
             let result = self.judged(number, method, &pslg, name);
             let ours = result.steiner_points().len();
             row += &format!(" | {} {ours}", method.name);
             if !result.is_complete() {
                 row += " INCOMPLETE";
-            } else if number < 2 && result.mesh().dimension() == Some(2) {
+            } else if number < 2 && has_segments && result.mesh().dimension() == Some(2) {
                 row += &self.beside_peers(number, method.name, &pslg, ours, name);
             }
         }
@@ -149,7 +150,7 @@ impl Table {
         if let Some(peer) = &mut self.cgal {
             match peer.conform(method, points, pieces) {
                 Some([vertices, _]) => {
-                    let theirs = vertices - points.len();
+                    let theirs = vertices.checked_sub(points.len()).expect("no vertex is lost");
                     row += &format!(" (CGAL {theirs})");
                     ratio(theirs).into_iter().for_each(|r| self.ratios[number].push(r, name));
                 }
