@@ -13,8 +13,12 @@ use crate::output;
 use crate::progress::Progress;
 use crate::subject::Subject;
 
-/// An algorithm is left out of a size where it would take longer than this if it were quadratic.
-const LONG_SECONDS: f64 = 20.0;
+/// An algorithm is left out of a size where it would take longer than this, by how its steps have grown so far; as long as that is
+/// not known, if it were quadratic.
+const LONG_SECONDS: f64 = 40.0;
+
+/// What is added to the power by which steps grow: larger sizes wait for memory.
+const SLOWER: f64 = 0.25;
 
 /// One run.
 struct Point {
@@ -36,9 +40,19 @@ struct Curve {
 struct Growth {
     workload: &'static Workload,
     curves: Vec<Curve>,
+    /// Algorithms, and from how many sites on they were left out.
+    left_out: Vec<(&'static str, usize)>,
 }
 
 impl Curve {
+    /// Whether a run on so many sites is expected to take too long.
+    fn is_too_long(&self, sites: usize) -> bool {
+        let Some(last) = self.points.last() else { return false };
+        let measured = self.series(|point| point.steps).exponent();
+        let power = measured.map_or(2.0, |power| power.max(1.0) + SLOWER);
+        last.seconds * (sites as f64 / last.sites.max(1.0)).powf(power) > LONG_SECONDS
+    }
+
     fn series(&self, value: impl Fn(&Point) -> f64) -> Series {
         let points = self.points.iter().map(|point| [point.sites, value(point)]).collect();
         Series { name: self.algorithm.to_owned(), points }
@@ -88,7 +102,7 @@ fn growth(
     arguments: &cli::Compare,
     only: &[&str],
 ) -> Result<Growth, Failure> {
-    let mut curves: Vec<Curve> = Vec::new();
+    let (mut curves, mut left_out): (Vec<Curve>, Vec<(&str, usize)>) = Default::default();
     for &size in &arguments.scaling {
         let subject = Subject::generated(workload.name, &workload.generate(size, arguments.seed))?;
         for algorithm in engine::names(&subject) {
@@ -101,15 +115,18 @@ fn growth(
                 curves.len() - 1
             });
             let curve = &mut curves[place];
-            let growth = |last: &Point| subject.site_count() as f64 / last.sites.max(1.0);
-            let expected = |last: &Point| last.seconds * growth(last).powi(2);
-            if curve.points.last().is_none_or(|last| expected(last) < LONG_SECONDS) {
+            let is_out = left_out.iter().any(|&(name, _)| name == algorithm);
+            if is_out || curve.is_too_long(subject.site_count()) {
+                if !is_out {
+                    left_out.push((algorithm, subject.site_count()));
+                }
+            } else {
                 curve.points.push(point(&subject, algorithm));
             }
         }
     }
     curves.retain(|curve| curve.points.len() > 1); // the definition, which takes a few sites only
-    Ok(Growth { workload, curves })
+    Ok(Growth { workload, curves, left_out })
 }
 
 fn point(subject: &Subject, algorithm: &'static str) -> Point {
@@ -125,6 +142,14 @@ fn point(subject: &Subject, algorithm: &'static str) -> Point {
         proved: built.triangulation.verdict(subject).ok,
         fingerprint: built.triangulation.fingerprint(subject).to_string(),
     }
+}
+
+/// What was left out, as a sentence; none if nothing was.
+fn omissions(growth: &Growth) -> Option<String> {
+    let each = growth.left_out.iter().map(|(name, sites)| format!("{name} from {sites} sites on"));
+    let each: Vec<String> = each.collect();
+    (!each.is_empty())
+        .then(|| format!("Left out, for it would take too long: {}.", each.join(", ")))
 }
 
 fn exponent(series: &Series) -> String {
@@ -150,6 +175,9 @@ fn print(growths: &[Growth]) {
                 if growth.is_good() { "proved" } else { "WRONG" },
             );
         }
+        if let Some(text) = omissions(growth) {
+            println!("{:18} {text}", growth.workload.name);
+        }
     }
 }
 
@@ -169,6 +197,9 @@ fn page(growths: &[Growth]) -> String {
         let name = growth.workload.name;
         report.heading(name, &Anchor::new(name));
         report.paragraph(growth.workload.about);
+        if let Some(text) = omissions(growth) {
+            report.paragraph(&text);
+        }
         report.columns(|report| {
             let plot = |up: &str, value: fn(&Point) -> f64| Plot {
                 title: format!("{name}: {up}"),
@@ -223,5 +254,14 @@ fn object(growths: &[Growth]) -> Value {
             }
         }
     }
-    json!({ "schema": "delone.scaling/1", "results": results, "ok": growths.iter().all(Growth::is_good) })
+    let left_out = growths.iter().flat_map(|growth| {
+        let name = growth.workload.name;
+        let each = growth.left_out.iter();
+        each.map(move |(algorithm, sites)| json!({ "workload": name, "algorithm": algorithm, "from": sites }))
+    });
+    let left_out: Vec<Value> = left_out.collect();
+    json!({ "schema": "delone.scaling/1", "results": results, "left_out": left_out, "ok": growths.iter().all(Growth::is_good) })
 }
+
+#[cfg(test)]
+mod tests;
