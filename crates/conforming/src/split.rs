@@ -41,8 +41,10 @@ use crate::parameter::Parameter;
 use crate::ratio::{log4, root};
 
 mod doubles;
+mod mirror;
 
 pub(crate) use doubles::radius;
+use mirror::Opposite;
 
 /// How Steiner points on segments are placed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -50,6 +52,9 @@ pub struct Placement {
     /// Whether points are placed as far from an apex as those that encroach: see the module's text. Without, fans of segments
     /// of different lengths take many more.
     pub copies_radii: bool,
+    /// Whether points are placed opposite those that encroach, about the bisector of the two lines: see `split/mirror.rs`. Without, segments
+    /// close to each other take as many points as the gap between them goes into their lengths.
+    pub mirrors: bool,
     /// Whether a subsegment that touches an apex is split on a shell whatever encroaches: so that the shells of a cluster fit, which
     /// refinement relies on. Else that is done only if what encroaches is of the cluster.
     pub always_shells: bool,
@@ -57,7 +62,7 @@ pub struct Placement {
 
 impl Default for Placement {
     fn default() -> Self {
-        Self { copies_radii: true, always_shells: false }
+        Self { copies_radii: true, mirrors: true, always_shells: false }
     }
 }
 
@@ -81,9 +86,11 @@ pub(crate) fn parameter(
     encroachers: &[VertexId],
     placement: Placement,
 ) -> Parameter {
-    match doubles::parameter(live, apexes, piece, encroachers, placement) {
+    let opposite =
+        if placement.mirrors { mirror::opposite(live, piece, encroachers) } else { Opposite::new() };
+    match doubles::parameter(live, apexes, piece, encroachers, &opposite, placement) {
         Some(t) => Parameter::Double(t),
-        None => exact_parameter(live, apexes, piece, encroachers, placement).into(),
+        None => exact_parameter(live, apexes, piece, encroachers, &opposite, placement).into(),
     }
 }
 
@@ -93,6 +100,7 @@ fn exact_parameter(
     apexes: &Apexes,
     piece: PieceId,
     encroachers: &[VertexId],
+    opposite: &[Parameter],
     placement: Placement,
 ) -> Dyadic {
     let segment = live.pieces[piece as usize].segment;
@@ -118,8 +126,9 @@ fn exact_parameter(
     }
     let middle = (t0.clone() + &t1).half();
     if !placement.copies_radii {
-        return middle;
+        copies.clear();
     }
+    copies.extend(opposite.iter().map(Parameter::exact));
     let quarter = (t1 - &t0).half().half();
     let off = |t: &Dyadic| {
         let off = t.clone() - &middle;

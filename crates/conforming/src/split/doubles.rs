@@ -25,6 +25,7 @@ pub(super) fn parameter(
     apexes: &Apexes,
     piece: PieceId,
     encroachers: &[VertexId],
+    opposite: &[Parameter],
     placement: Placement,
 ) -> Option<f64> {
     let segment = live.pieces[piece as usize].segment;
@@ -49,16 +50,19 @@ pub(super) fn parameter(
             return from_apex(z, shell((t1 - t0) * length)? / length, bits);
         }
         for &v in encroachers {
-            if is_of_cluster(&v) {
+            if is_of_cluster(&v) && placement.copies_radii {
                 copies.push(from_apex(z, radius(live, segment, apex, v)? / length, bits)?);
             }
         }
     }
+    for t in opposite {
+        let Parameter::Double(t) = t else { return None };
+        copies.push(*t);
+    }
     let middle = t0.midpoint(t1);
     let off = |t: f64| (t - middle).abs();
     let copies = copies.into_iter().filter(|&t| off(t) <= 0.25 * (t1 - t0));
-    let nearest = copies.min_by(|&s, &t| off(s).total_cmp(&off(t)));
-    Some(nearest.filter(|_| placement.copies_radii).unwrap_or(middle))
+    Some(copies.min_by(|&s, &t| off(s).total_cmp(&off(t))).unwrap_or(middle))
 }
 
 /// The distance from the apex z, an end of `segment`, of a vertex on another segment of z.

@@ -6,7 +6,7 @@ use crate::testing::{judged, pslg};
 use crate::{ConformOptions, Conforming, Encroached, Limits, Missing, conform};
 
 fn gabriel(graph: &Pslg, copies_radii: bool, vertices_max: usize) -> Conforming {
-    let placement = Placement { copies_radii, ..Placement::default() };
+    let placement = Placement { copies_radii, mirrors: copies_radii, ..Placement::default() };
     let options = ConformOptions { placement, limits: Limits { vertices_max } };
     conform(graph, &Encroached, &options, &mut ())
 }
@@ -160,12 +160,12 @@ fn doubles_say_what_long_numbers_say() {
         let cdt = delone_cdt::cavity(&graph, &delone_delaunay::Options::default(), &mut ());
         let mut live = Live::new(&cdt, &graph);
         let apexes = Apexes::new(&cdt, &live);
-        let placement = Placement { copies_radii: true, always_shells: round % 2 == 0 };
+        let placement = Placement { always_shells: round % 2 == 0, ..Placement::default() };
         for _ in 0..20 {
             let piece = u32::try_from(random.below(live.pieces.len() as u64)).unwrap();
             let near = encroachers(&live, piece);
-            let long = exact_parameter(&live, &apexes, piece, &near, placement);
-            let short = doubles::parameter(&live, &apexes, piece, &near, placement);
+            let long = exact_parameter(&live, &apexes, piece, &near, &[], placement);
+            let short = doubles::parameter(&live, &apexes, piece, &near, &[], placement);
             said[usize::from(short.is_some())] += 1;
             if let Some(short) = short {
                 let off = Dyadic::from(short) - &long;
