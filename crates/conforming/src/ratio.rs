@@ -1,4 +1,4 @@
-//! Ratios and their square roots to any precision, and powers of two at least and at most: where shells and mirrors meet segments.
+//! Ratios and their square roots to any precision, and powers of two at least and at most: where shells and feet meet segments.
 //!
 //! **Method.** Newton's, in exact arithmetic: with x near sqrt(n / d), the residual n - d x^2 is exact, and the correction, one
 //! double, makes 48 more bits right. So the root is a sum of doubles, as many as the precision asks for. Of n / d itself the residual is n - d x.

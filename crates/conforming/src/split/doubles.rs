@@ -25,7 +25,7 @@ pub(super) fn parameter(
     apexes: &Apexes,
     piece: PieceId,
     encroachers: &[VertexId],
-    opposite: &[Parameter],
+    feet: &[Parameter],
     placement: Placement,
 ) -> Option<f64> {
     let segment = live.pieces[piece as usize].segment;
@@ -41,7 +41,7 @@ pub(super) fn parameter(
         let apex = VertexId::new(live.segments[segment as usize][z] as usize);
         let Some(bits) = apexes.bits(apex) else { continue };
         let touches = ends[z] == apex;
-        if bits > BITS || touches && from_apex(z, 0.25 * (t1 - t0), bits).is_none() {
+        if bits > BITS || touches && from_apex(z, (0.5 - placement.off_max()) * (t1 - t0), bits).is_none() {
             return None;
         }
         let is_of_cluster = |&v: &VertexId| on_other(live, segment, apex, v).is_some();
@@ -55,13 +55,13 @@ pub(super) fn parameter(
             }
         }
     }
-    for t in opposite {
+    for t in feet {
         let Parameter::Double(t) = t else { return None };
         copies.push(*t);
     }
     let middle = t0.midpoint(t1);
     let off = |t: f64| (t - middle).abs();
-    let copies = copies.into_iter().filter(|&t| off(t) <= 0.25 * (t1 - t0));
+    let copies = copies.into_iter().filter(|&t| off(t) <= placement.off_max() * (t1 - t0));
     Some(copies.min_by(|&s, &t| off(s).total_cmp(&off(t))).unwrap_or(middle))
 }
 

@@ -5,8 +5,10 @@ use super::*;
 use crate::testing::{judged, pslg};
 use crate::{ConformOptions, Conforming, Encroached, Limits, Missing, conform};
 
+/// By the rules of the specification: radii, if at all, in the middle half, else middles.
 fn gabriel(graph: &Pslg, copies_radii: bool, vertices_max: usize) -> Conforming {
-    let placement = Placement { copies_radii, mirrors: copies_radii, ..Placement::default() };
+    let placement =
+        Placement { copies_radii, takes_feet: false, parts_max: 4, ..Placement::default() };
     let options = ConformOptions { placement, limits: Limits { vertices_max } };
     conform(graph, &Encroached, &options, &mut ())
 }
@@ -41,6 +43,8 @@ fn fans_of_the_specification() {
     assert!(with.is_complete() && verdict.ok, "{verdict}");
     let without = gabriel(&graph, false, 1500);
     assert!(!without.is_complete(), "over 1,500 subsegments without copies");
+    let subsegments = judged_both(&graph)[1] + 5;
+    assert!(subsegments < 51, "nearer to the ends it takes fewer: {subsegments}");
     judged_both(&fan(tips.map(|i| [1e6, i])));
     judged_both(&fan((0..2u32).map(|i| [1e8, f64::from(i)])));
     judged_both(&fan((0..2u32).map(|i| [1e16, f64::from(i)])));
@@ -98,6 +102,25 @@ fn one_ulp_from_parallel_terminates() {
     let third = 1.0f64 / 3.0;
     judged_both(&fan([[1.0, third], [1.0, third.next_up()], [3.0, 1.0]].into_iter()));
     judged_both(&fan([[1e6, 1e6 / 3.0], [1e6, (1e6f64 / 3.0).next_up()]].into_iter()));
+}
+
+/// Two segments, or three, along gaps of a part 10^-3 to 10^-15 of their lengths, their ends not opposite each other, level or not.
+#[test]
+fn gaps_of_any_width_take_few_points() {
+    for gap in [1e-3, 1e-6, 1e-9, 1e-12, 1e-15] {
+        for tilt in [0.0f64, 0.3, -0.5, 50.0] {
+            let level = |k: f64, x: f64| [x, k * gap * (1.0 + tilt.max(0.0) + tilt * x)];
+            let points: Vec<[f64; 2]> = [(0.0, 0.0), (1.0, 0.3), (2.0, 0.55)]
+                .into_iter()
+                .flat_map(|(k, from)| [level(k, from), level(k, from + 1.0)])
+                .collect();
+            for count in [2, 3] {
+                let segments: Vec<[usize; 2]> = (0..count).map(|i| [2 * i, 2 * i + 1]).collect();
+                let counts = judged_both(&pslg(&points[..2 * count], &segments));
+                assert!(counts[1] <= 60 * (count - 1), "{gap} {tilt}: {counts:?}");
+            }
+        }
+    }
 }
 
 /// Two directions of the lemma, exactly: what is at equal radius does not encroach, what encroaches is strictly between.

@@ -1,0 +1,88 @@
+//! Opposite what encroaches: the foot of its perpendicular on the piece.
+//!
+//! ```text
+//!     q ----v---------      At p there are right angles, so v is in the disk of neither part of s. Let v be on another line q that meets the line
+//!           :               of s somewhere, at an angle a, r' from v: then p is at r' cos a, and by the two-ray lemma of the module above it is not
+//!     s ----p---------      in the disk of a piece [r, r'] of q before v, as s^2 - s (r + r') cos a + r r' = r r' sin^2 a > 0 for it, nor of one after v.
+//! ```
+//! So nothing is handed to and fro: segments along a gap take some points for each end, however narrow it is. With middles alone they take as many as the
+//! gap goes into their lengths.
+//!
+//! **Not of neighbours.** Where r may be 0, the segments sharing an end, p would encroach upon [0, r'], and so on down to the end. There radii are copied, if the
+//! angle is less than 60 degrees, and middles taken else.
+//!
+//! **Precision.** Nothing but the number of points rests on it. At a distance h from the line, v is in neither disk while p is off its place by less
+//! than h^2 over their length. Doubles are taken where they are off by far less than that, else as many bits as that asks for.
+
+use delone_mesh::VertexId;
+use delone_predicates::{Dyadic, Sign};
+use smallvec::SmallVec;
+
+use super::on_other;
+use crate::live::{Live, PieceId, Steiner, id};
+use crate::parameter::Parameter;
+use crate::ratio::quotient;
+
+/// Parameters on the segment of a piece.
+pub(super) type Feet = SmallVec<[Parameter; 2]>;
+
+/// Where h^2 / |u| is more than this times the greatest coordinate, it is far more than what doubles are off by.
+const ERROR: f64 = 1.0 / (1u64 << 44) as f64;
+
+/// More bits than the disks ask for.
+const SLACK: i64 = 10;
+
+/// The fewest bits that are worth the way.
+const BITS_MIN: u32 = 60;
+
+/// The feet, on the line of a piece, of those that encroach upon it and are not on a segment that shares an end with its own.
+pub(super) fn feet(live: &Live, piece: PieceId, encroachers: &[VertexId]) -> Feet {
+    let segment = live.pieces[piece as usize].segment;
+    let ends = live.segments[segment as usize].map(|z| VertexId::new(z as usize));
+    let is_near = |v: VertexId| ends.iter().any(|&z| on_other(live, segment, z, v).is_some());
+    let far = encroachers.iter().filter(|&&v| !is_near(v));
+    far.map(|&v| match near_foot(live, segment, v) {
+        Some(t) => Parameter::Double(t),
+        None => exact_foot(live, segment, v).into(),
+    })
+    .collect()
+}
+
+/// The parameter of the foot of v on a segment, d u / u^2, with u along it and d from its first end to v; `None` if doubles are too coarse.
+fn near_foot(live: &Live, segment: u32, v: VertexId) -> Option<f64> {
+    let [a, b] = live.segments[segment as usize].map(|z| live.kernel.position(z));
+    let at = live.kernel.position(id(v));
+    let [u, d] = [b, at].map(|p| [p[0] - a[0], p[1] - a[1]]);
+    let square = u[0] * u[0] + u[1] * u[1];
+    let cross = u[0] * d[1] - u[1] * d[0];
+    let reach = [a, b, at].as_flattened().iter().fold(0.0f64, |reach, x| reach.max(x.abs()));
+    // Neither under- nor overflow gets through: that makes the left side 0, or a side infinite.
+    let is_certain = cross * cross > ERROR * reach * square * square.sqrt();
+    (is_certain && square.is_normal() && cross.is_finite())
+        .then(|| (d[0] * u[0] + d[1] * u[1]) / square)
+}
+
+/// The same in numbers of any length.
+fn exact_foot(live: &Live, segment: u32, v: VertexId) -> Dyadic {
+    let at = |z: u32| live.kernel.position(z).map(Dyadic::from);
+    let from = |a: &[Dyadic; 2], b: &[Dyadic; 2]| [0, 1].map(|axis| b[axis].clone() - &a[axis]);
+    let ends = |segment: u32| live.segments[segment as usize].map(at);
+    let v = match live.steiner_of(v) {
+        Some(Steiner::On { segment, t }) => {
+            let [a, b] = ends(segment);
+            let (w, t) = (from(&a, &b), t.exact());
+            [0, 1].map(|axis| &t * &w[axis] + &a[axis])
+        }
+        _ => at(id(v)),
+    };
+    let [a, b] = ends(segment);
+    let (u, d) = (from(&a, &b), from(&a, &v));
+    let square = &u[0] * &u[0] + &u[1] * &u[1];
+    let cross = &u[0] * &d[1] - &u[1] * &d[0];
+    let along = &d[0] * &u[0] + &d[1] * &u[1];
+    let (Some(whole), Some(off)) = (square.magnitude(), cross.magnitude()) else {
+        return Dyadic::ZERO; // on the line, so at no end of this piece and in no disk of it
+    };
+    let bits = u32::try_from(2 * (whole - off) + SLACK).unwrap_or(0).max(BITS_MIN);
+    if along.sign() == Sign::Positive { quotient(&along, &square, bits) } else { Dyadic::ZERO }
+}
