@@ -18,8 +18,10 @@
 //! | case | answer | test |
 //! |---|---|---|
 //! | right or obtuse angles | no cut at the site: the disks touch there | `protection_of_a_square_and_a_cross` |
-//! | parts of less than 1/4096 of their segment | left to the adaptive method | `protection_leaves_slivers_to_the_adaptive_method` |
-//! | thousands of cuts of one segment | the probe is asked before each | `protection_stops_between_any_two_cuts` |
+//! | a segment along a gap takes more parts than it may | left to the adaptive method, but for the cuts about its ends | `protection_leaves_slivers_to_the_adaptive_method` |
+//! | parts too short for doubles to halve | the same | |
+//! | coordinates whose squares overflow, or differences do | all are scaled by a power of two | `all_methods_conform_on_the_corpus` |
+//! | a million cuts of one segment | the probe is asked before each | `protection_stops_between_any_two_cuts` |
 
 use delone_mesh::VertexId;
 use delone_predicates::{Dyadic, Metric, Sign};
@@ -27,28 +29,32 @@ use delone_probe::Probe;
 use rstar::{AABB, PointDistance, RTree, RTreeObject};
 
 use crate::apexes::Apexes;
-use crate::conform::Limits;
+use crate::conform::ConformOptions;
 use crate::live::{Live, PieceId};
 use crate::ratio::{log4, root};
 
 /// Precision where no small angle asks for more.
 const BITS: u32 = 52;
 
-/// Parts shorter than this fraction of their segment are left to the adaptive method: a gap of 10^-15 would take as many parts.
-const PART_MIN: f64 = 1.0 / 4096.0;
+/// Parts shorter than this fraction of their segment are left alone.
+const PART_MIN: f64 = 1e-13;
 
 /// Cuts all segments. Whether that was done within the limits.
 pub(crate) fn protect(
     live: &mut Live,
     apexes: &Apexes,
-    limits: Limits,
+    options: &ConformOptions,
     probe: &mut impl Probe,
 ) -> bool {
     let scene = Scene::new(live, apexes);
     let mut vertices = live.sites;
     for segment in 0..live.segments.len() {
-        let room = limits.vertices_max.saturating_sub(vertices);
-        let Some(cuts) = scene.cuts(live, segment, room) else { return false };
+        let room = options.limits.vertices_max.saturating_sub(vertices);
+        let cuts = match scene.cuts(live, segment, options.cuts_max.min(room)) {
+            Some(cuts) => cuts,
+            None if room < options.cuts_max => return false,
+            None => scene.about_ends(live, segment).into_iter().flatten().collect(),
+        };
         vertices += cuts.len();
         // Before the first split, pieces and segments have the same numbers.
         let mut piece = PieceId::try_from(segment).expect("segments are fewer than ids");
@@ -65,7 +71,9 @@ pub(crate) fn protect(
 
 /// What disks avoid, in doubles, and the radii about sites.
 struct Scene {
+    /// The sites over 2^scale: no coordinate is more than 1, so that nothing overflows.
     points: Vec<[f64; 2]>,
+    scale: i64,
     segments: Vec<[u32; 2]>,
     /// The square of the radius at which the segments of a site are cut.
     radii: Vec<Option<Dyadic>>,
@@ -116,7 +124,11 @@ impl PointDistance for Feature {
 
 impl Scene {
     fn new(live: &Live, apexes: &Apexes) -> Self {
-        let points: Vec<[f64; 2]> = live.kernel.positions()[..live.sites].to_vec();
+        let points = &live.kernel.positions()[..live.sites];
+        let reach = points.as_flattened().iter().fold(0.0f64, |reach, x| reach.max(x.abs()));
+        let scale = Dyadic::from(reach).magnitude().map_or(0, |magnitude| magnitude + 1);
+        let scaled = |x: f64| Dyadic::from(x).scaled(-scale).to_f64();
+        let points: Vec<[f64; 2]> = points.iter().map(|p| p.map(scaled)).collect();
         let bits = (0..live.sites).map(|v| apexes.bits(VertexId::new(v)).unwrap_or(BITS));
         let at = |v: u32| points[v as usize];
         let sites = (0u32..).zip(&points).map(|(v, &p)| (Which::Site(v), [p; 2]));
@@ -126,6 +138,7 @@ impl Scene {
         let mut scene = Self {
             features: RTree::bulk_load(features.collect()),
             points,
+            scale,
             segments: live.segments.clone(),
             radii: vec![None; live.sites],
             bits: bits.collect(),
@@ -151,20 +164,25 @@ impl Scene {
             Which::Segment(s) => !self.segments[s].contains(&site),
         });
         let third = other.map_or(f64::INFINITY, |other| other.distance(z)) / 3.0;
-        let third = Dyadic::from(Some(third).filter(|d| d.is_normal())?);
+        let third = Dyadic::from(Some(third).filter(|d| d.is_normal())?).scaled(self.scale);
         Some(Dyadic::from(1).scaled(2 * log4(&(&third * &third))))
     }
 
-    /// The parameters at which a segment is cut, in increasing order; `None` if there are more than `room`.
-    fn cuts(&self, live: &Live, segment: usize, room: usize) -> Option<Vec<Dyadic>> {
-        let [a, b] = self.segments[segment];
+    /// The parameters of the cuts of a segment about its ends.
+    fn about_ends(&self, live: &Live, segment: usize) -> [Option<Dyadic>; 2] {
         let square =
             live.squared_length(u32::try_from(segment).expect("segments are fewer than ids"));
-        let cut = |site: u32| {
+        let [first, last] = self.segments[segment].map(|site| {
             let radius = self.radii[site as usize].as_ref()?;
             Some(root(radius, &square, self.bits[site as usize]))
-        };
-        let (first, last) = (cut(a), cut(b).map(|t| Dyadic::from(1) - t));
+        });
+        [first, last.map(|t| Dyadic::from(1) - t)]
+    }
+
+    /// The parameters at which a segment is cut, in increasing order; `None` if there are more than `most`.
+    fn cuts(&self, live: &Live, segment: usize, most: usize) -> Option<Vec<Dyadic>> {
+        let [a, b] = self.segments[segment];
+        let [first, last] = self.about_ends(live, segment);
         let mut cuts: Vec<Dyadic> = first.iter().chain(&last).cloned().collect();
         let touched = [(a, &first), (b, &last)].map(|(site, cut)| cut.is_none().then_some(site));
         let ends = [first.unwrap_or(Dyadic::ZERO), last.unwrap_or(Dyadic::from(1))];
@@ -182,7 +200,7 @@ impl Scene {
             if near.is_empty() {
                 continue;
             }
-            if cuts.len() >= room {
+            if cuts.len() >= most {
                 return None;
             }
             let [t0, t1] = ends;

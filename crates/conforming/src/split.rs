@@ -31,6 +31,7 @@
 //! |---|---|---|
 //! | both ends are apexes that want a shell | the lexicographically smaller one | `slivers_terminate` |
 //! | no copy and no foot but near an end | the middle | `fans_of_the_specification` |
+//! | two of them equally far from the middle | the one nearer to the lexicographically smaller end | `order_leaves_no_trace` |
 //! | a gap that is 10^-15 of what is along it | a few points for each end, of as many bits as it takes | `gaps_of_any_width_take_few_points` |
 
 use delone_mesh::VertexId;
@@ -144,7 +145,8 @@ fn exact_parameter(
         let off = t.clone() - &middle;
         if off.sign() == Sign::Negative { -off } else { off }
     };
-    copies.into_iter().filter(|t| off(t) <= off_max).min_by_key(off).unwrap_or(middle)
+    let copies = copies.into_iter().filter(|t| off(t) <= off_max);
+    copies.min_by(|s, t| off(s).cmp(&off(t)).then_with(|| s.cmp(t))).unwrap_or(middle)
 }
 
 /// The squared distance from the apex z, an end of `segment`, of a vertex on another segment of z.

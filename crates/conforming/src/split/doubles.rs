@@ -62,7 +62,8 @@ pub(super) fn parameter(
     let middle = t0.midpoint(t1);
     let off = |t: f64| (t - middle).abs();
     let copies = copies.into_iter().filter(|&t| off(t) <= placement.off_max() * (t1 - t0));
-    Some(copies.min_by(|&s, &t| off(s).total_cmp(&off(t))).unwrap_or(middle))
+    let nearest = copies.min_by(|&s, &t| off(s).total_cmp(&off(t)).then_with(|| s.total_cmp(&t)));
+    Some(nearest.unwrap_or(middle))
 }
 
 /// The distance from the apex z, an end of `segment`, of a vertex on another segment of z.

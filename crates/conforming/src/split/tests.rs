@@ -9,7 +9,7 @@ use crate::{ConformOptions, Conforming, Encroached, Limits, Missing, conform};
 fn gabriel(graph: &Pslg, copies_radii: bool, vertices_max: usize) -> Conforming {
     let placement =
         Placement { copies_radii, takes_feet: false, parts_max: 4, ..Placement::default() };
-    let options = ConformOptions { placement, limits: Limits { vertices_max } };
+    let options = ConformOptions { placement, limits: Limits { vertices_max }, ..ConformOptions::default() };
     conform(graph, &Encroached, &options, &mut ())
 }
 
@@ -167,6 +167,7 @@ fn every_site_costs_a_point_on_every_segment() {
     for (m, n) in [(4, 4), (4, 8), (8, 8), (16, 8), (16, 16)] {
         let counts = judged_both(&rails(m, n));
         assert!(counts[0] >= m * n / 2, "{m} {n}: {counts:?}");
+        assert_eq!(counts[1], m * n, "a foot each, and no more");
     }
 }
 
