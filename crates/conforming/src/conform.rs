@@ -1,7 +1,7 @@
 //! Conforming Delaunay triangulation: subsegments are split until the constrained triangulation is Delaunay.
 //!
-//! **Paper.** \[She02\] and \[Rup95\] split at middles and on shells; copied radii and feet of perpendiculars are our own (see [`crate::split`], with the
-//! proof that all this ends). \[ET93\], with its bound of O(m^2 n) points, is not here.
+//! **Paper.** \[She02\] and \[Rup95\] split at middles and on shells; copied radii and feet of perpendiculars are our own (see
+//! [`crate::split`], with the proof that all this ends). \[ET93\], with its bound of O(m^2 n) points, is not here.
 //! **In.** A noded PSLG. **Out.** The Delaunay triangulation of its sites and Steiner points on its segments, exactly, in which each segment
 //! is a chain of edges.
 //! **Method.** The CDT is kept. A subsegment that is not locally Delaunay in it is missing in the Delaunay triangulation; when

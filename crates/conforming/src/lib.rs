@@ -16,7 +16,7 @@
 //! |---|---|---|---|
 //! | [`conform`] with [`Missing`] | what is no edge | Delaunay, all segments in it | fewest points |
 //! | [`conform`] with [`Encroached`] | what has a vertex in its diametral disk | that all these are empty too | the strongest |
-//! | [`conform_by_protection`] | before any triangulation, but for segments along narrow gaps | the same | to compare: \[Saa91\] |
+//! | [`conform_by_protection`] | before any triangulation, if gaps are not narrow | the same | to compare: \[Saa91\] |
 //!
 //! | refinement | points | encroachment | when |
 //! |---|---|---|---|

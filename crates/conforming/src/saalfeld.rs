@@ -18,7 +18,7 @@
 //! | case | answer | test |
 //! |---|---|---|
 //! | right or obtuse angles | no cut at the site: the disks touch there | `protection_of_a_square_and_a_cross` |
-//! | a segment along a gap takes more parts than it may | left to the adaptive method, but for the cuts about its ends | `protection_leaves_slivers_to_the_adaptive_method` |
+//! | more cuts of a segment than it may take | only those about its ends | `protection_leaves_slivers_to_the_adaptive_method` |
 //! | parts too short for doubles to halve | the same | |
 //! | coordinates whose squares overflow, or differences do | all are scaled by a power of two | `all_methods_conform_on_the_corpus` |
 //! | a million cuts of one segment | the probe is asked before each | `protection_stops_between_any_two_cuts` |

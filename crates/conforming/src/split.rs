@@ -12,19 +12,20 @@
 //! on the other. Then v encroaches upon e exactly if s^2 - s (r + r') cos a + r r' <= 0, and then r < s < r': of equal radii none
 //! encroaches upon the other.
 //!
-//! **Termination.** (1) Innermost subsegments [0, s] at z. Let f(s) be s if that is a power of two, else half the greatest one in s, and m the least f at z.
-//! What a point of the same cluster at radius s' < s encroaches upon is split at a power of two. If s is one, that is s / 2, and the greatest power in the
-//! innermost radius before s', which is at most s', is not more: m is not made less. If it is not, at least f(s) is left: neither is it. Where angles at z are all 60
-//! degrees or more, no shells are taken: but s' <= s cos a <= s / 2, so the middle is not below s'. Others than the cluster are at a
-//! distance d from z: s is more than that, a sixteenth of s is left, and m is d / 64 or more. So innermost radii are bounded
-//! below by some positive s0. (2) All other subsegments are at least s0 from their apexes, so at a distance L > 0 from whatever is not on their line,
-//! and at least 2 L long if something encroaches upon them; a part has at least a sixteenth of the length. So no subsegment
-//! gets arbitrarily short, each split makes one more, and their lengths add up to a constant.
+//! **Termination.** (1) Innermost subsegments [0, s] at z. Let f(s) be s if that is a power of two, else half the greatest one in
+//! s, and m the least f at z. What a point of the same cluster at radius s' < s encroaches upon is split at a power of two. If s
+//! is one, that is s / 2, and the greatest power in the innermost radius before s', which is at most s', is not more: m is not
+//! made less. If it is not, at least f(s) is left: neither is it. Where angles at z are all 60 degrees or more, no shells are
+//! taken: but s' <= s cos a <= s / 2, so the middle is not below s'. Others than the cluster are at a distance d from z: s is
+//! more than that, a sixteenth of s is left, and m is d / 64 or more. So innermost radii are bounded below by some positive s0.
+//! (2) All other subsegments are at least s0 from their apexes, so at a distance L > 0 from whatever is not on their line, and at
+//! least 2 L long if something encroaches upon them; a part has at least a sixteenth of the length. So no subsegment gets
+//! arbitrarily short, each split makes one more, and their lengths add up to a constant.
 //!
 //! **Precision.** Radii are irrational fractions of a segment: equal ones are equal up to the bits that the apex asks for
-//! ([`crate::apexes`]), and the lemma holds for them. Where doubles have these bits, parameters are doubles (`split/doubles.rs`): a third, a
-//! half and a sixteenth above are so up to 2^-12 or better of the piece, which the proof has room for: any other parts would do. Else they are
-//! as long as the apex asks for.
+//! ([`crate::apexes`]), and the lemma holds for them. Where doubles have these bits, parameters are doubles (`split/doubles.rs`):
+//! a third, a half and a sixteenth above are so up to 2^-12 or better of the piece, which the proof has room for: any other parts
+//! would do. Else they are as long as the apex asks for.
 //!
 //! **Degeneracies.**
 //! | case | answer | test |
@@ -98,7 +99,8 @@ pub(crate) fn parameter(
     encroachers: &[VertexId],
     placement: Placement,
 ) -> Parameter {
-    let feet = if placement.takes_feet { feet::feet(live, piece, encroachers) } else { Feet::new() };
+    let feet =
+        if placement.takes_feet { feet::feet(live, piece, encroachers) } else { Feet::new() };
     match doubles::parameter(live, apexes, piece, encroachers, &feet, placement) {
         Some(t) => Parameter::Double(t),
         None => exact_parameter(live, apexes, piece, encroachers, &feet, placement).into(),

@@ -41,7 +41,9 @@ pub(super) fn parameter(
         let apex = VertexId::new(live.segments[segment as usize][z] as usize);
         let Some(bits) = apexes.bits(apex) else { continue };
         let touches = ends[z] == apex;
-        if bits > BITS || touches && from_apex(z, (0.5 - placement.off_max()) * (t1 - t0), bits).is_none() {
+        if bits > BITS
+            || touches && from_apex(z, (0.5 - placement.off_max()) * (t1 - t0), bits).is_none()
+        {
             return None;
         }
         let is_of_cluster = |&v: &VertexId| on_other(live, segment, apex, v).is_some();

@@ -1,18 +1,22 @@
 //! Opposite what encroaches: the foot of its perpendicular on the piece.
 //!
 //! ```text
-//!     q ----v---------      At p there are right angles, so v is in the disk of neither part of s. Let v be on another line q that meets the line
-//!           :               of s somewhere, at an angle a, r' from v: then p is at r' cos a, and by the two-ray lemma of the module above it is not
-//!     s ----p---------      in the disk of a piece [r, r'] of q before v, as s^2 - s (r + r') cos a + r r' = r r' sin^2 a > 0 for it, nor of one after v.
+//!     q ----v---------      At p there are right angles, so v is in the disk of neither part of s.
+//!           :
+//!     s ----p---------
 //! ```
-//! So nothing is handed to and fro: segments along a gap take some points for each end, however narrow it is. With middles alone they take as many as the
-//! gap goes into their lengths.
+//! Nor is p in the disk of a piece of q that ends at v. Let the lines of q and s meet, at an angle a, and v be r' from there:
+//! then p is at s = r' cos a. By the two-ray lemma of the module above no piece beyond v has p in its disk, as s < r'; nor has a
+//! piece [r, r'] before it, as s^2 - s (r + r') cos a + r r' = r r' sin^2 a > 0.
+//! So nothing is handed to and fro: segments along a gap take some points for each end, however narrow it is. With middles alone
+//! they take as many as the gap goes into their lengths.
 //!
-//! **Not of neighbours.** Where r may be 0, the segments sharing an end, p would encroach upon [0, r'], and so on down to the end. There radii are copied, if the
-//! angle is less than 60 degrees, and middles taken else.
+//! **Not of neighbours.** Where r may be 0, the segments sharing an end, p would encroach upon [0, r'], and so on down to the
+//! end. There radii are copied, if the angle is less than 60 degrees, and middles taken else.
 //!
-//! **Precision.** Nothing but the number of points rests on it. At a distance h from the line, v is in neither disk while p is off its place by less
-//! than h^2 over their length. Doubles are taken where they are off by far less than that, else as many bits as that asks for.
+//! **Precision.** Nothing but the number of points rests on it. At a distance h from the line, v is in neither disk while p is
+//! off its place by less than h^2 over their length. Doubles are taken where they are off by far less than that, else as many
+//! bits as that asks for.
 
 use delone_mesh::VertexId;
 use delone_predicates::{Dyadic, Sign};

@@ -9,7 +9,8 @@ use crate::{ConformOptions, Conforming, Encroached, Limits, Missing, conform};
 fn gabriel(graph: &Pslg, copies_radii: bool, vertices_max: usize) -> Conforming {
     let placement =
         Placement { copies_radii, takes_feet: false, parts_max: 4, ..Placement::default() };
-    let options = ConformOptions { placement, limits: Limits { vertices_max }, ..ConformOptions::default() };
+    let options =
+        ConformOptions { placement, limits: Limits { vertices_max }, ..ConformOptions::default() };
     conform(graph, &Encroached, &options, &mut ())
 }
 
