@@ -150,20 +150,23 @@ impl Scene {
         }
         for (site, ends) in (0u32..).zip(&spokes) {
             if has_narrow_angle(live, site, ends) {
-                scene.radii[site as usize] = scene.radius(site);
+                scene.radii[site as usize] = scene.radius(site, ends);
             }
         }
         scene
     }
 
-    /// The square of a power of two that is at most a third of the site's distance from what is not incident to it.
-    fn radius(&self, site: u32) -> Option<Dyadic> {
+    /// The square of a power of two that is at most a third of the site's distance from what is not incident to it; in any case
+    /// of its segments, to `ends`: the tree compares squares, which may underflow.
+    fn radius(&self, site: u32, ends: &[u32]) -> Option<Dyadic> {
         let z = self.points[site as usize];
         let other = self.features.nearest_neighbor_iter(&z).find(|feature| match feature.which {
             Which::Site(other) => other != site,
             Which::Segment(s) => !self.segments[s].contains(&site),
         });
-        let third = other.map_or(f64::INFINITY, |other| other.distance(z)) / 3.0;
+        let at = |v: u32| Feature { which: Which::Site(v), ends: [self.points[v as usize]; 2] };
+        let near = ends.iter().map(|&v| at(v)).chain(other.copied());
+        let third = near.map(|near| near.distance(z)).fold(f64::INFINITY, f64::min) / 3.0;
         let third = Dyadic::from(Some(third).filter(|d| d.is_normal())?).scaled(self.scale);
         Some(Dyadic::from(1).scaled(2 * log4(&(&third * &third))))
     }
@@ -210,7 +213,7 @@ impl Scene {
             parts.push(([t0, middle], [touched[0], None], near)); // Inv 1
         }
         cuts.sort();
-        Some(cuts)
+        (cuts.len() <= most).then_some(cuts)
     }
 
     /// Which of the features are in the diametral disk of a part, but for those that meet it in an end; none if the part is
