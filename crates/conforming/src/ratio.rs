@@ -36,7 +36,7 @@ pub(crate) fn quotient(n: &Dyadic, d: &Dyadic, bits: u32) -> Dyadic {
     let (n, d) = (n.clone().scaled(-of_n), d.clone().scaled(-of_d));
     let near_d = d.to_f64();
     let mut quotient = Dyadic::from(n.to_f64() / near_d);
-    for _ in 0..bits.div_ceil(GAIN) {
+    for _ in 1..bits.div_ceil(GAIN) {
         let residual = n.clone() - &d * &quotient;
         let Some(size) = residual.magnitude() else { break };
         let correction = residual.scaled(-size).to_f64() / near_d;
