@@ -9,7 +9,7 @@
 // Coordinates are the 16 hexadecimal digits of the double's bits, so that nothing is rounded on the way.
 // Out, for each request:
 //   ok DIMENSION K SECONDS    then K lines of DIMENSION + 1 ids, the finite cells; hidden points are in none
-//   counted VERTICES CELLS SECONDS    for conform and refine; the cells are those of the domain. After ten seconds the program ends
+//   counted VERTICES CELLS SECONDS    for conform and refine; the cells are those of the domain. After ten seconds, or DELONE_PATIENCE, the program ends
 //   refused MESSAGE           CGAL threw, for instance because constraints intersect
 // The construction alone is timed.
 
@@ -18,6 +18,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <iostream>
 #include <string>
@@ -243,6 +244,11 @@ void insert_all(Triangulation& t, const std::vector<std::pair<Kernel::Point_2, I
   t.insert_constraints(places.begin(), places.end(), segments.begin(), segments.end());
 }
 
+unsigned patience() {
+  const char* seconds = std::getenv("DELONE_PATIENCE");
+  return seconds ? std::stoul(seconds) : 10;
+}
+
 void counted(std::size_t vertices, std::size_t cells, double seconds) {
   alarm(0);
   std::cout << "counted " << vertices << ' ' << cells << ' ' << seconds << std::endl;
@@ -254,7 +260,7 @@ void conform() {
   std::cin >> strength >> n >> m;
   const auto points = read_points_2(n);
   const auto segments = read_segments(m);
-  alarm(10);
+  alarm(patience());
   const Clock clock;
   Constrained t;
   insert_all(t, points, segments);
@@ -270,7 +276,7 @@ void refine() {
   const auto points = read_points_2(n);
   const auto segments = read_segments(m);
   const double sine = std::sin(degrees * 3.14159265358979323846 / 180);
-  alarm(10);
+  alarm(patience());
   const Clock clock;
   Meshed t;
   insert_all(t, points, segments);

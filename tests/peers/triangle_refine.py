@@ -6,6 +6,7 @@ In: requests as those of cgal.cpp, of two kinds:
 Out: `triangle`, when it is ready; for each request `counted VERTICES CELLS SECONDS`. After ten seconds the program ends.
 """
 
+import os
 import signal
 import struct
 import sys
@@ -29,7 +30,7 @@ for line in sys.stdin:
         "vertices": numpy.array(points, dtype=float).reshape(-1, 2),
         "segments": numpy.array(segments, dtype=numpy.int32).reshape(-1, 2),
     }
-    signal.alarm(10)
+    signal.alarm(int(os.environ.get("DELONE_PATIENCE", 10)))
     start = time.perf_counter()
     made = triangle.triangulate(given, switches)
     seconds = time.perf_counter() - start

@@ -5,7 +5,7 @@ use std::io::{BufRead, BufReader, Write as _};
 use std::path::Path;
 use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 
-use crate::say;
+use crate::{long, say};
 
 /// A running peer.
 #[derive(Debug)]
@@ -71,6 +71,7 @@ impl Cgal {
     }
 
     fn of(command: &mut Command) -> Option<Self> {
+        command.env("DELONE_PATIENCE", if long() { "10" } else { "1" });
         let mut child = command.stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().ok()?;
         let (to, from) = (child.stdin.take()?, BufReader::new(child.stdout.take()?));
         Some(Self { child, to, from, seconds: 0.0 })

@@ -1,7 +1,7 @@
 //! Conforming Delaunay triangulation: subsegments are split until the constrained triangulation is Delaunay.
 //!
-//! **Paper.** \[She02\] and \[Rup95\] split at middles and on shells; copied radii are our own (see [`crate::split`], with the proof that
-//! all this ends). \[ET93\], with its bound of O(m^2 n) points, is not here.
+//! **Paper.** \[She02\] and \[Rup95\] split at middles and on shells; copied radii and feet of perpendiculars are our own (see
+//! [`crate::split`], with the proof that all this ends). \[ET93\], with its bound of O(m^2 n) points, is not here.
 //! **In.** A noded PSLG. **Out.** The Delaunay triangulation of its sites and Steiner points on its segments, exactly, in which each segment
 //! is a chain of edges.
 //! **Method.** The CDT is kept. A subsegment that is not locally Delaunay in it is missing in the Delaunay triangulation; when
@@ -103,13 +103,25 @@ impl Default for Limits {
     }
 }
 
+/// Few graphs without narrow gaps have segments that take more.
+const CUTS_MAX: usize = 256;
+
 /// How to place and when to stop.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ConformOptions {
     /// Where points go.
     pub placement: Placement,
+    /// The most cuts of one segment by protection. Segments that take more are left to splitting, for which a gap may be of any width: cuts are as
+    /// many as the gap goes into the length. `usize::MAX` is \[Saa91\]'s method and nothing else.
+    pub cuts_max: usize,
     /// When to give up.
     pub limits: Limits,
+}
+
+impl Default for ConformOptions {
+    fn default() -> Self {
+        Self { placement: Placement::default(), cuts_max: CUTS_MAX, limits: Limits::default() }
+    }
 }
 
 /// Splits subsegments until none is to be split. See the module's text.
@@ -143,7 +155,7 @@ pub fn conform_by_protection(
     probe: &mut impl Probe,
 ) -> Conforming {
     from_cdt(pslg, probe, |live, apexes, probe| {
-        saalfeld::protect(live, apexes, options.limits, probe)
+        saalfeld::protect(live, apexes, options, probe)
             && split_all(live, apexes, &Encroached, options, probe)
     })
 }

@@ -16,7 +16,7 @@
 //! |---|---|---|---|
 //! | [`conform`] with [`Missing`] | what is no edge | Delaunay, all segments in it | fewest points |
 //! | [`conform`] with [`Encroached`] | what has a vertex in its diametral disk | that all these are empty too | the strongest |
-//! | [`conform_by_protection`] | before any triangulation | the same | to compare: \[Saa91\] |
+//! | [`conform_by_protection`] | before any triangulation, if gaps are not narrow | the same | to compare: \[Saa91\] |
 //!
 //! | refinement | points | encroachment | when |
 //! |---|---|---|---|
@@ -28,8 +28,8 @@
 //!
 //! In: [`delone_sites::Pslg`], noded. Out: [`Conforming`]; of [`refine`], [`Refined`] around it, with regions, sides and what was left alone. A Steiner point is exactly on its segment: `a + t (b - a)` with t a
 //! number of as many bits as it takes; the union of the pieces *is* the segment. Positions in doubles are for drawing and
-//! export. All methods end on all input, whatever the angles; there is no bound on the points in the size of the input alone,
-//! and inputs with gaps of one unit in the last place may take more than any memory: give [`Limits`].
+//! export. All methods end on all input, whatever the angles and gaps; there is no bound on the points in the size of the input alone:
+//! give [`Limits`] where that matters.
 //!
 //! **Not here.** \[ET93\], with its polynomial bound on the number of points: theoretical; not implemented. Crossings
 //! (`delone-sites` refuses them). Judgement (`delone-check`).

@@ -1,7 +1,7 @@
-//! Square roots of ratios to any precision, and powers of two at least and at most: where shells meet segments.
+//! Ratios and their square roots to any precision, and powers of two at least and at most: where shells and feet meet segments.
 //!
 //! **Method.** Newton's, in exact arithmetic: with x near sqrt(n / d), the residual n - d x^2 is exact, and the correction, one
-//! double, makes 48 more bits right. So the root is a sum of doubles, as many as the precision asks for.
+//! double, makes 48 more bits right. So the root is a sum of doubles, as many as the precision asks for. Of n / d itself the residual is n - d x.
 
 use delone_predicates::{Dyadic, Sign};
 
@@ -30,6 +30,21 @@ pub(crate) fn root(n: &Dyadic, d: &Dyadic, bits: u32) -> Dyadic {
     root.scaled((of_n - of_d - odd) / 2)
 }
 
+/// `n / d` for positive `n` and `d`, off by less than `2^-bits` of itself.
+pub(crate) fn quotient(n: &Dyadic, d: &Dyadic, bits: u32) -> Dyadic {
+    let (Some(of_n), Some(of_d)) = (n.magnitude(), d.magnitude()) else { return Dyadic::ZERO };
+    let (n, d) = (n.clone().scaled(-of_n), d.clone().scaled(-of_d));
+    let near_d = d.to_f64();
+    let mut quotient = Dyadic::from(n.to_f64() / near_d);
+    for _ in 1..bits.div_ceil(GAIN) {
+        let residual = n.clone() - &d * &quotient;
+        let Some(size) = residual.magnitude() else { break };
+        let correction = residual.scaled(-size).to_f64() / near_d;
+        quotient += &Dyadic::from(correction).scaled(size);
+    }
+    quotient.scaled(of_n - of_d)
+}
+
 /// The greatest k such that `4^k <= square`, which is positive.
 pub(crate) fn log4(square: &Dyadic) -> i64 {
     square.magnitude().expect("lengths are positive").div_euclid(2)
@@ -47,11 +62,13 @@ mod tests {
         let square = |y: Dyadic| &y * &y;
         let dx2 = d * &square(x);
         assert!(&square(one.clone() - &e) * &dx2 <= *n, "{bits}");
-        assert!(*n <= &square(one + &e) * &dx2, "{bits}");
+        assert!(*n <= &square(one.clone() + &e) * &dx2, "{bits}");
+        let dx = d * &quotient(n, d, bits);
+        assert!(&(one.clone() - &e) * &dx <= *n && *n <= &(one + &e) * &dx, "{bits}");
     }
 
     #[test]
-    fn roots_are_as_precise_as_asked() {
+    fn ratios_and_roots_are_as_precise_as_asked() {
         let values = [1.0, 2.0, 3.0, 0.1, 7e-300, 1e300, 5e-324, f64::MAX, 1.0 + f64::EPSILON];
         for n in values.map(Dyadic::from) {
             for d in values.map(Dyadic::from) {

@@ -295,7 +295,12 @@ impl Work<'_> {
             self.clear_disk(piece, probe);
         }
         let near = encroachers(&self.live, piece);
-        let placement = Placement { copies_radii: true, always_shells: true };
+        let placement = Placement {
+            takes_feet: false,
+            parts_max: 4,
+            always_shells: true,
+            ..Placement::default()
+        };
         let t = parameter(&self.live, &self.apexes, piece, &near, placement);
         let p = self.live.split_piece(piece, t, probe);
         let cell = self.live.half_edge(piece).cell();

@@ -1,35 +1,39 @@
-//! Where a subsegment is split: at its middle, on a shell about an apex, or where a neighbour of the apex was split.
+//! Where a subsegment is split: on a shell about an apex, where a neighbour of the apex was split, opposite what encroaches, or in the middle.
 //!
 //! ```text
 //!            .w                  Two segments leave the apex z. A subsegment that touches z is split at a power of two
 //!          .  |                  from it (a shell), if what encroaches upon it lies on another segment of z. One further
 //!        .----v---.              out that v encroaches upon, v being on another segment of z, is split as far from z as
-//!      z------e======            v is, if that is in its middle half. All others are split in the middle.
+//!      z------e======            v is. If v is on no segment that shares an end with it, it is split at the foot of v's perpendicular
+//!                                (split/feet.rs). Neither is done where a part would have less than a sixteenth: then it is split in the middle.
 //! ```
 //!
 //! **Two-ray lemma.** Let two segments leave z at an angle a < 90 degrees, e cover the radii [r, r'] on one, v be at radius s
 //! on the other. Then v encroaches upon e exactly if s^2 - s (r + r') cos a + r r' <= 0, and then r < s < r': of equal radii none
 //! encroaches upon the other.
 //!
-//! **Termination.** (1) Innermost subsegments [0, s]: one that a point of the same cluster, at radius s' < s, encroaches upon is
-//! split at a power of two. If s is one, then s' has an innermost radius that is at most s / 2, and s / 2 is not below it; from
-//! the middle of a power of two comes another. If it is not, that happens once to it, and takes at most a third. Where angles
-//! are 60 degrees or more, s' <= s cos a <= s / 2, so the middle is not below s' either. Others than the cluster are at a
-//! distance from z: s is more than that, and so is not made less than its third. So innermost radii are bounded
-//! below by some positive s0. (2) All other subsegments are at least s0 from their apexes, so at a distance L > 0 from whatever is not on their line,
-//! and at least 2 L long if something encroaches upon them; a part has at least a quarter of the length. So no subsegment
-//! gets arbitrarily short, each split makes one more, and their lengths add up to a constant.
+//! **Termination.** (1) Innermost subsegments [0, s] at z. Let f(s) be s if that is a power of two, else half the greatest one in
+//! s, and m the least f at z. What a point of the same cluster at radius s' < s encroaches upon is split at a power of two. If s
+//! is one, that is s / 2, and the greatest power in the innermost radius before s', which is at most s', is not more: m is not
+//! made less. If it is not, at least f(s) is left: neither is it. Where angles at z are all 60 degrees or more, no shells are
+//! taken: but s' <= s cos a <= s / 2, so the middle is not below s'. Others than the cluster are at a distance d from z: s is
+//! more than that, a sixteenth of s is left, and m is d / 64 or more. So innermost radii are bounded below by some positive s0.
+//! (2) All other subsegments are at least s0 from their apexes, so at a distance L > 0 from whatever is not on their line, and at
+//! least 2 L long if something encroaches upon them; a part has at least a sixteenth of the length. So no subsegment gets
+//! arbitrarily short, each split makes one more, and their lengths add up to a constant.
 //!
 //! **Precision.** Radii are irrational fractions of a segment: equal ones are equal up to the bits that the apex asks for
-//! ([`crate::apexes`]), and the lemma holds for them. Where doubles have these bits, parameters are doubles (`split/doubles.rs`): a third, a
-//! half and a quarter above are so up to 2^-12 or better of the piece, which the proof has room for, its "a third" being anything
-//! more than a quarter. Else they are as long as the apex asks for.
+//! ([`crate::apexes`]), and the lemma holds for them. Where doubles have these bits, parameters are doubles (`split/doubles.rs`):
+//! a third, a half and a sixteenth above are so up to 2^-12 or better of the piece, which the proof has room for: any other parts
+//! would do. Else they are as long as the apex asks for.
 //!
 //! **Degeneracies.**
 //! | case | answer | test |
 //! |---|---|---|
 //! | both ends are apexes that want a shell | the lexicographically smaller one | `slivers_terminate` |
-//! | no copy in the middle half | the middle | `fans_of_the_specification` |
+//! | no copy and no foot but near an end | the middle | `fans_of_the_specification` |
+//! | two of them equally far from the middle | the one nearer to the lexicographically smaller end | `order_leaves_no_trace` |
+//! | a gap that is 10^-15 of what is along it | a few points for each end, of as many bits as it takes | `gaps_of_any_width_take_few_points` |
 
 use delone_mesh::VertexId;
 use delone_predicates::{Dyadic, Metric, Sign};
@@ -41,8 +45,10 @@ use crate::parameter::Parameter;
 use crate::ratio::{log4, root};
 
 mod doubles;
+mod feet;
 
 pub(crate) use doubles::radius;
+use feet::Feet;
 
 /// How Steiner points on segments are placed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -50,6 +56,11 @@ pub struct Placement {
     /// Whether points are placed as far from an apex as those that encroach: see the module's text. Without, fans of segments
     /// of different lengths take many more.
     pub copies_radii: bool,
+    /// Whether points are placed opposite those that encroach, at the feet of their perpendiculars: see `split/feet.rs`. Without,
+    /// segments close to each other take as many points as the gap between them goes into their lengths.
+    pub takes_feet: bool,
+    /// Radii are copied and feet taken where each part gets at least one over this of the piece: 3 or more. 4 is the middle half.
+    pub parts_max: u32,
     /// Whether a subsegment that touches an apex is split on a shell whatever encroaches: so that the shells of a cluster fit, which
     /// refinement relies on. Else that is done only if what encroaches is of the cluster.
     pub always_shells: bool,
@@ -57,7 +68,14 @@ pub struct Placement {
 
 impl Default for Placement {
     fn default() -> Self {
-        Self { copies_radii: true, always_shells: false }
+        Self { copies_radii: true, takes_feet: true, parts_max: 16, always_shells: false }
+    }
+}
+
+impl Placement {
+    /// How far from the middle of a piece copies and feet are taken, of its length.
+    fn off_max(self) -> f64 {
+        0.5 - 1.0 / f64::from(self.parts_max.max(3))
     }
 }
 
@@ -81,9 +99,11 @@ pub(crate) fn parameter(
     encroachers: &[VertexId],
     placement: Placement,
 ) -> Parameter {
-    match doubles::parameter(live, apexes, piece, encroachers, placement) {
+    let feet =
+        if placement.takes_feet { feet::feet(live, piece, encroachers) } else { Feet::new() };
+    match doubles::parameter(live, apexes, piece, encroachers, &feet, placement) {
         Some(t) => Parameter::Double(t),
-        None => exact_parameter(live, apexes, piece, encroachers, placement).into(),
+        None => exact_parameter(live, apexes, piece, encroachers, &feet, placement).into(),
     }
 }
 
@@ -93,6 +113,7 @@ fn exact_parameter(
     apexes: &Apexes,
     piece: PieceId,
     encroachers: &[VertexId],
+    feet: &[Parameter],
     placement: Placement,
 ) -> Dyadic {
     let segment = live.pieces[piece as usize].segment;
@@ -118,14 +139,16 @@ fn exact_parameter(
     }
     let middle = (t0.clone() + &t1).half();
     if !placement.copies_radii {
-        return middle;
+        copies.clear();
     }
-    let quarter = (t1 - &t0).half().half();
+    copies.extend(feet.iter().map(Parameter::exact));
+    let off_max = &(t1 - &t0) * &Dyadic::from(placement.off_max());
     let off = |t: &Dyadic| {
         let off = t.clone() - &middle;
         if off.sign() == Sign::Negative { -off } else { off }
     };
-    copies.into_iter().filter(|t| off(t) <= quarter).min_by_key(off).unwrap_or(middle)
+    let copies = copies.into_iter().filter(|t| off(t) <= off_max);
+    copies.min_by(|s, t| off(s).cmp(&off(t)).then_with(|| s.cmp(t))).unwrap_or(middle)
 }
 
 /// The squared distance from the apex z, an end of `segment`, of a vertex on another segment of z.

@@ -22,9 +22,6 @@ impl Probe for Deadline {
     }
 }
 
-/// Vertices beyond which no result is judged if it is none of a method that is done: its numbers are as long as its gaps are small.
-pub(crate) const JUDGED_MAX: usize = 2_000;
-
 /// Seconds for one run on one input.
 pub(crate) fn seconds() -> u64 {
     if long() { 5 } else { 2 }

@@ -1,4 +1,4 @@
-//! The collected files: judged, and counted beside CGAL and Triangle. Skipped, said aloud, where there are none. Without
+//! The collected files: all methods end, and are judged and counted beside CGAL and Triangle. Skipped, said aloud, where there are none. Without
 //! `DELONE_LONG=1` one in ten, and only small ones. Segments that cross are cut where they do, in doubles.
 
 use delone::Pslg;
@@ -11,7 +11,7 @@ use delone_tests::cgal::Cgal;
 use delone_tests::data::{documents, files, pslg_of};
 use delone_tests::{judge, long, say};
 
-use crate::effort::{Deadline, JUDGED_MAX, Ratios, seconds, tell_names};
+use crate::effort::{Ratios, tell_names};
 
 /// The most sites taken.
 fn sites_max() -> usize {
@@ -30,8 +30,6 @@ struct Table {
     /// Segments that cross, and are too many, or go on crossing in doubles.
     refused: Vec<String>,
     judged: [usize; 3],
-    /// By method: stopped by a limit, in vertices or in time.
-    stopped: [Vec<String>; 3],
     /// By method: steiner points, ours over CGAL's.
     ratios: [Ratios; 2],
     /// Of `gabriel` in a box, over Triangle's.
@@ -49,7 +47,6 @@ fn all_methods_conform_on_files() {
         snapped: 0,
         refused: Vec::new(),
         judged: [0; 3],
-        stopped: Default::default(),
         ratios: Default::default(),
         over_triangle: Ratios::default(),
         silent: Default::default(),
@@ -108,9 +105,7 @@ impl Table {
             let result = self.judged(number, method, &pslg, name);
             let ours = result.steiner_points().len();
             row += &format!(" | {} {ours}", method.name);
-            if !result.is_complete() {
-                row += " INCOMPLETE";
-            } else if number < 2 && has_segments && result.mesh().dimension() == Some(2) {
+            if number < 2 && has_segments && result.mesh().dimension() == Some(2) {
                 row += &self.beside_peers(number, method.name, &pslg, ours, name);
             }
         }
@@ -119,18 +114,15 @@ impl Table {
 
     /// The result, of which the judge says what the method promises.
     fn judged(&mut self, number: usize, method: &Method, pslg: &Pslg, name: &str) -> Conforming {
-        let vertices_max = 10 * pslg.sites().len() + if long() { 100_000 } else { 500 };
+        let vertices_max = 100 * pslg.sites().len() + 50_000;
         let options =
             ConformOptions { limits: Limits { vertices_max }, ..ConformOptions::default() };
-        let result = (method.run)(pslg, &options, &mut Deadline::after(seconds()));
-        if !result.is_complete() {
-            self.stopped[number].push(name.to_owned());
-        }
-        let is_large = result.kernel().len() > JUDGED_MAX && !result.is_complete();
-        if result.mesh().dimension() == Some(2) && !is_large {
+        let result = (method.run)(pslg, &options, &mut ());
+        assert!(result.is_complete(), "{} {name}: more than {vertices_max}", method.name);
+        if result.mesh().dimension() == Some(2) {
             let verdict = judge::conforming(pslg, &result, judge::promise(method, &result));
             assert!(verdict.ok, "{} {name}: {verdict}", method.name);
-            self.judged[number] += usize::from(result.is_complete());
+            self.judged[number] += 1;
         }
         result
     }
@@ -175,11 +167,7 @@ impl Table {
             self.triangle = Cgal::triangle();
             return String::new();
         };
-        let options = ConformOptions::default();
-        let ours = conform(&graph, &Encroached, &options, &mut Deadline::after(seconds()));
-        if !ours.is_complete() {
-            return String::new();
-        }
+        let ours = conform(&graph, &Encroached, &ConformOptions::default(), &mut ());
         let (ours, theirs) = (ours.steiner_points().len(), vertices.saturating_sub(points.len()));
         if ours + theirs > 0 {
             self.over_triangle.push(ours as f64 / theirs as f64, name);
@@ -191,9 +179,6 @@ impl Table {
         let Self { graphs, snapped, judged, .. } = self;
         say(format!("{graphs} graphs, of which {snapped} cut at crossings; judged {judged:?}"));
         tell_names("crossing, and too many or not settled in doubles", &self.refused);
-        for (method, names) in methods().iter().zip(&self.stopped) {
-            tell_names(&format!("{}: stopped by a limit", method.name), names);
-        }
         self.over_triangle.tell("gabriel, in a box, Steiner points, ours / Triangle's -D");
         for (number, method) in ["delaunay", "gabriel"].into_iter().enumerate() {
             tell_names(&format!("{method}: CGAL does not answer"), &self.silent[number]);

@@ -20,16 +20,20 @@ fn protection_of_a_square_and_a_cross() {
 }
 
 #[test]
-fn protection_leaves_slivers_to_the_limit() {
+fn protection_leaves_slivers_to_the_adaptive_method() {
     let wedge = |height: f64| pslg(&[[0.0, 0.0], [64.0, height], [64.0, 0.0]], &[[0, 1], [0, 2]]);
     let limits = Limits { vertices_max: 2_000 };
     let options = ConformOptions { limits, ..ConformOptions::default() };
     let conforming = conform_by_protection(&wedge(1.0), &options, &mut ());
     assert!(conforming.is_complete());
     assert!(judged(&wedge(1.0), &conforming, Promise::EmptyDisks).ok);
-    let conforming = conform_by_protection(&wedge(1e-9), &options, &mut ());
+    let pure = ConformOptions { cuts_max: 5_000, ..options };
+    let conforming = conform_by_protection(&wedge(1e-9), &pure, &mut ());
     assert!(!conforming.is_complete(), "a billion points");
     assert!(judged(&wedge(1e-9), &conforming, Promise::Constrained).ok);
+    let conforming = conform_by_protection(&wedge(1e-9), &options, &mut ());
+    assert!(conforming.is_complete() && conforming.steiner_points().len() < 100, "adaptively");
+    assert!(judged(&wedge(1e-9), &conforming, Promise::EmptyDisks).ok);
 }
 
 /// Goes on so many times.

@@ -25,6 +25,7 @@ pub(super) fn parameter(
     apexes: &Apexes,
     piece: PieceId,
     encroachers: &[VertexId],
+    feet: &[Parameter],
     placement: Placement,
 ) -> Option<f64> {
     let segment = live.pieces[piece as usize].segment;
@@ -40,7 +41,9 @@ pub(super) fn parameter(
         let apex = VertexId::new(live.segments[segment as usize][z] as usize);
         let Some(bits) = apexes.bits(apex) else { continue };
         let touches = ends[z] == apex;
-        if bits > BITS || touches && from_apex(z, 0.25 * (t1 - t0), bits).is_none() {
+        if bits > BITS
+            || touches && from_apex(z, (0.5 - placement.off_max()) * (t1 - t0), bits).is_none()
+        {
             return None;
         }
         let is_of_cluster = |&v: &VertexId| on_other(live, segment, apex, v).is_some();
@@ -49,16 +52,20 @@ pub(super) fn parameter(
             return from_apex(z, shell((t1 - t0) * length)? / length, bits);
         }
         for &v in encroachers {
-            if is_of_cluster(&v) {
+            if is_of_cluster(&v) && placement.copies_radii {
                 copies.push(from_apex(z, radius(live, segment, apex, v)? / length, bits)?);
             }
         }
     }
+    for t in feet {
+        let Parameter::Double(t) = t else { return None };
+        copies.push(*t);
+    }
     let middle = t0.midpoint(t1);
     let off = |t: f64| (t - middle).abs();
-    let copies = copies.into_iter().filter(|&t| off(t) <= 0.25 * (t1 - t0));
-    let nearest = copies.min_by(|&s, &t| off(s).total_cmp(&off(t)));
-    Some(nearest.filter(|_| placement.copies_radii).unwrap_or(middle))
+    let copies = copies.into_iter().filter(|&t| off(t) <= placement.off_max() * (t1 - t0));
+    let nearest = copies.min_by(|&s, &t| off(s).total_cmp(&off(t)).then_with(|| s.total_cmp(&t)));
+    Some(nearest.unwrap_or(middle))
 }
 
 /// The distance from the apex z, an end of `segment`, of a vertex on another segment of z.

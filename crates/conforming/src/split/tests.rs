@@ -5,9 +5,12 @@ use super::*;
 use crate::testing::{judged, pslg};
 use crate::{ConformOptions, Conforming, Encroached, Limits, Missing, conform};
 
+/// By the rules of the specification: radii, if at all, in the middle half, else middles.
 fn gabriel(graph: &Pslg, copies_radii: bool, vertices_max: usize) -> Conforming {
-    let placement = Placement { copies_radii, ..Placement::default() };
-    let options = ConformOptions { placement, limits: Limits { vertices_max } };
+    let placement =
+        Placement { copies_radii, takes_feet: false, parts_max: 4, ..Placement::default() };
+    let options =
+        ConformOptions { placement, limits: Limits { vertices_max }, ..ConformOptions::default() };
     conform(graph, &Encroached, &options, &mut ())
 }
 
@@ -41,6 +44,8 @@ fn fans_of_the_specification() {
     assert!(with.is_complete() && verdict.ok, "{verdict}");
     let without = gabriel(&graph, false, 1500);
     assert!(!without.is_complete(), "over 1,500 subsegments without copies");
+    let subsegments = judged_both(&graph)[1] + 5;
+    assert!(subsegments < 51, "nearer to the ends it takes fewer: {subsegments}");
     judged_both(&fan(tips.map(|i| [1e6, i])));
     judged_both(&fan((0..2u32).map(|i| [1e8, f64::from(i)])));
     judged_both(&fan((0..2u32).map(|i| [1e16, f64::from(i)])));
@@ -100,6 +105,25 @@ fn one_ulp_from_parallel_terminates() {
     judged_both(&fan([[1e6, 1e6 / 3.0], [1e6, (1e6f64 / 3.0).next_up()]].into_iter()));
 }
 
+/// Two segments, or three, along gaps of a part 10^-3 to 10^-15 of their lengths, their ends not opposite each other, level or not.
+#[test]
+fn gaps_of_any_width_take_few_points() {
+    for gap in [1e-3, 1e-6, 1e-9, 1e-12, 1e-15] {
+        for tilt in [0.0f64, 0.3, -0.5, 50.0] {
+            let level = |k: f64, x: f64| [x, k * gap * (1.0 + tilt.max(0.0) + tilt * x)];
+            let points: Vec<[f64; 2]> = [(0.0, 0.0), (1.0, 0.3), (2.0, 0.55)]
+                .into_iter()
+                .flat_map(|(k, from)| [level(k, from), level(k, from + 1.0)])
+                .collect();
+            for count in [2, 3] {
+                let segments: Vec<[usize; 2]> = (0..count).map(|i| [2 * i, 2 * i + 1]).collect();
+                let counts = judged_both(&pslg(&points[..2 * count], &segments));
+                assert!(counts[1] <= 60 * (count - 1), "{gap} {tilt}: {counts:?}");
+            }
+        }
+    }
+}
+
 /// Two directions of the lemma, exactly: what is at equal radius does not encroach, what encroaches is strictly between.
 #[test]
 fn two_rays() {
@@ -144,6 +168,7 @@ fn every_site_costs_a_point_on_every_segment() {
     for (m, n) in [(4, 4), (4, 8), (8, 8), (16, 8), (16, 16)] {
         let counts = judged_both(&rails(m, n));
         assert!(counts[0] >= m * n / 2, "{m} {n}: {counts:?}");
+        assert_eq!(counts[1], m * n, "a foot each, and no more");
     }
 }
 
@@ -160,12 +185,12 @@ fn doubles_say_what_long_numbers_say() {
         let cdt = delone_cdt::cavity(&graph, &delone_delaunay::Options::default(), &mut ());
         let mut live = Live::new(&cdt, &graph);
         let apexes = Apexes::new(&cdt, &live);
-        let placement = Placement { copies_radii: true, always_shells: round % 2 == 0 };
+        let placement = Placement { always_shells: round % 2 == 0, ..Placement::default() };
         for _ in 0..20 {
             let piece = u32::try_from(random.below(live.pieces.len() as u64)).unwrap();
             let near = encroachers(&live, piece);
-            let long = exact_parameter(&live, &apexes, piece, &near, placement);
-            let short = doubles::parameter(&live, &apexes, piece, &near, placement);
+            let long = exact_parameter(&live, &apexes, piece, &near, &[], placement);
+            let short = doubles::parameter(&live, &apexes, piece, &near, &[], placement);
             said[usize::from(short.is_some())] += 1;
             if let Some(short) = short {
                 let off = Dyadic::from(short) - &long;

@@ -1,6 +1,7 @@
 //! The commands that add Steiner points.
 
 use clap::{Args, ValueEnum};
+use delone_conforming::ConformOptions;
 
 use super::{Fill, Report, Source};
 
@@ -34,6 +35,9 @@ pub(crate) struct Conform {
     /// Which subsegments are split
     #[arg(long, value_enum, default_value_t = Method::Delaunay)]
     pub(crate) method: Method,
+    /// With saalfeld, the most cuts of one segment: one that would take more, along a narrow gap, is split as by gabriel
+    #[arg(long, value_name = "N", default_value_t = ConformOptions::default().cuts_max)]
+    pub(crate) cuts_max: usize,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

@@ -12,7 +12,8 @@ pub(crate) fn conform(arguments: &cli::Conform) -> Result<(), Failure> {
     let method = method(arguments.method.name());
     let mut adding = Adding::begin(&arguments.adding, method.name)?;
     let limits = Limits { vertices_max: adding.vertices_max() };
-    let options = ConformOptions { limits, ..ConformOptions::default() };
+    let cuts_max = arguments.cuts_max;
+    let options = ConformOptions { limits, cuts_max, ..ConformOptions::default() };
     let conforming =
         adding.build(|subject, watch| (method.run)(steiner::graph(subject), &options, watch));
     let subject = &adding.subject;

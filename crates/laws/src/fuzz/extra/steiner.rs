@@ -13,7 +13,7 @@ use crate::case::Case;
 use crate::judge;
 use crate::laws::Law;
 
-/// Few enough to be quick; gaps of one unit in the last place would take any number.
+/// Few enough to be quick.
 const LIMITS: Limits = Limits { vertices_max: 40 };
 
 /// Every method's result is what it promises.
