@@ -19,8 +19,8 @@
 //! |---|---|---|
 //! | right or obtuse angles | no cut at the site: the disks touch there | `protection_of_a_square_and_a_cross` |
 //! | more cuts of a segment than it may take | only those about its ends | `protection_leaves_slivers_to_the_adaptive_method` |
-//! | parts too short for doubles to halve | the same | |
-//! | coordinates whose squares overflow, or differences do | all are scaled by a power of two | `all_methods_conform_on_the_corpus` |
+//! | coordinates whose squares overflow, or differences do | all are scaled by a power of two | `protection_over_the_whole_range` |
+//! | distances whose squares underflow | a radius is at most a third of its segments | `protection_over_the_whole_range` |
 //! | a million cuts of one segment | the probe is asked before each | `protection_stops_between_any_two_cuts` |
 
 use delone_mesh::VertexId;

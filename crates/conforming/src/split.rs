@@ -32,7 +32,7 @@
 //! |---|---|---|
 //! | both ends are apexes that want a shell | the lexicographically smaller one | `slivers_terminate` |
 //! | no copy and no foot but near an end | the middle | `fans_of_the_specification` |
-//! | two of them equally far from the middle | the one nearer to the lexicographically smaller end | `order_leaves_no_trace` |
+//! | two of them equally far from the middle | the one nearer to the lexicographically smaller end | `of_two_feet_as_good_the_first_is_taken` |
 //! | a gap that is 10^-15 of what is along it | a few points for each end, of as many bits as it takes | `gaps_of_any_width_take_few_points` |
 
 use delone_mesh::VertexId;

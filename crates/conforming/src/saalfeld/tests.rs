@@ -61,3 +61,20 @@ fn protection_stops_between_any_two_cuts() {
         assert!(judged(&wedge, &stopped, Promise::Constrained).ok);
     }
 }
+
+/// From the smallest double to the largest: nothing overflows, and no cut is beyond an end.
+#[test]
+fn protection_over_the_whole_range() {
+    let (far, large) = (1.8268770466636286e47, f64::MAX / 2.0);
+    let needles = [[0.0, 0.0], [0.0, 1.0], [far, 0.0], [large, 1.0]];
+    let cross = [[-f64::MAX, 5e-324], [f64::MAX, 5e-324], [1.0, f64::MAX], [1.0, 1.0]];
+    for (points, segments) in
+        [(needles, [[1, 3], [1, 2], [1, 0]]), (cross, [[0, 1], [2, 3], [1, 2]])]
+    {
+        let graph = pslg(&points, &segments);
+        let options = ConformOptions { cuts_max: 8, ..ConformOptions::default() };
+        let conforming = conform_by_protection(&graph, &options, &mut ());
+        assert!(conforming.is_complete());
+        assert!(judged(&graph, &conforming, Promise::EmptyDisks).ok);
+    }
+}

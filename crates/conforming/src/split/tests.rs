@@ -124,6 +124,24 @@ fn gaps_of_any_width_take_few_points() {
     }
 }
 
+#[test]
+fn of_two_feet_as_good_the_first_is_taken() {
+    let points = [[0.0, 0.0], [16.0, 0.0], [4.0, 1.0], [12.0, -1.0]];
+    for (segment, order) in [([0, 1], [0, 1, 2, 3]), ([1, 0], [0, 1, 3, 2])] {
+        let graph = pslg(&order.map(|v: usize| points[v]), &[segment]);
+        let cdt = delone_cdt::cavity(&graph, &delone_delaunay::Options::default(), &mut ());
+        let live = Live::new(&cdt, &graph);
+        let apexes = Apexes::new(&cdt, &live);
+        let near = encroachers(&live, 0);
+        assert_eq!(near.len(), 2, "one on each side");
+        let t = parameter(&live, &apexes, 0, &near, Placement::default());
+        assert_eq!(t, Parameter::Double(0.25));
+        let feet = feet::feet(&live, 0, &near);
+        let long = exact_parameter(&live, &apexes, 0, &near, &feet, Placement::default());
+        assert_eq!(long, Dyadic::from(0.25));
+    }
+}
+
 /// Two directions of the lemma, exactly: what is at equal radius does not encroach, what encroaches is strictly between.
 #[test]
 fn two_rays() {
