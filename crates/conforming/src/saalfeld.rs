@@ -55,6 +55,9 @@ pub(crate) fn protect(
             None if room < options.cuts_max => return false,
             None => scene.about_ends(live, segment).into_iter().flatten().collect(),
         };
+        if cuts.len() > room {
+            return false;
+        }
         vertices += cuts.len();
         // Before the first split, pieces and segments have the same numbers.
         let mut piece = PieceId::try_from(segment).expect("segments are fewer than ids");
@@ -213,7 +216,7 @@ impl Scene {
             parts.push(([t0, middle], [touched[0], None], near)); // Inv 1
         }
         cuts.sort();
-        (cuts.len() <= most).then_some(cuts)
+        Some(cuts)
     }
 
     /// Which of the features are in the diametral disk of a part, but for those that meet it in an end; none if the part is

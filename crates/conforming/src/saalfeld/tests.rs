@@ -83,14 +83,17 @@ fn protection_over_the_whole_range() {
 fn protection_keeps_to_the_limit() {
     let points = [[0.0, 0.0], [4.0, 0.0], [0.0, -1.0], [0.0, -2.0], [4.0, 2.0]];
     let graph = pslg(&points, &[[1, 4], [0, 2], [2, 3], [1, 3], [0, 4], [1, 0], [1, 2]]);
-    let enough = 5 + conform_by_protection(&graph, &ConformOptions::default(), &mut ())
-        .steiner_points()
-        .len();
-    for vertices_max in 5..=enough {
-        let limits = Limits { vertices_max };
-        let options = ConformOptions { limits, ..ConformOptions::default() };
-        let conforming = conform_by_protection(&graph, &options, &mut ());
-        assert!(conforming.kernel().len() <= vertices_max, "{vertices_max}");
-        assert_eq!(conforming.is_complete(), vertices_max == enough, "{vertices_max}");
+    for cuts_max in [0, 256] {
+        let with = |vertices_max: usize| {
+            let options =
+                ConformOptions { cuts_max, limits: Limits { vertices_max }, ..Default::default() };
+            conform_by_protection(&graph, &options, &mut ())
+        };
+        let enough = with(usize::MAX).kernel().len();
+        for vertices_max in 5..=enough {
+            let conforming = with(vertices_max);
+            assert!(conforming.kernel().len() <= vertices_max, "{vertices_max}");
+            assert_eq!(conforming.is_complete(), vertices_max == enough, "{vertices_max}");
+        }
     }
 }
