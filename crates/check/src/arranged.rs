@@ -103,10 +103,14 @@ fn read<'a>(arranged: &Arranged<'a>, report: &mut Report) -> Option<Scene<'a>> {
     defined.then_some(scene)
 }
 
+/// The exponent of the unit of a lattice that has all these points.
+pub(crate) fn unit_of(points: &[[f64; 2]]) -> i32 {
+    Span::of(points.iter().flatten().copied()).map_or(0, |span| span.low)
+}
+
 /// Points as ratios, on one lattice.
 pub(crate) fn points_of(points: &[[f64; 2]]) -> Vec<Ratio> {
-    let span = Span::of(points.iter().flatten().copied());
-    let lattice: Lattice<Pure> = Lattice::new(span.map_or(0, |span| span.low));
+    let lattice: Lattice<Pure> = Lattice::new(unit_of(points));
     let ratio = |p: &[f64; 2]| {
         let [x, y] = p.map(|x| lattice.integer(x));
         [x, y, Pure::shifted(1, 0)]

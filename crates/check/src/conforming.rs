@@ -9,7 +9,7 @@
 //! them, and so, in a Delaunay triangulation, no other vertex.
 //! **Cost.** Sorting, and some signs of big integers for each edge; no filters.
 
-use crate::arranged::points_of;
+use crate::arranged::{points_of, unit_of};
 use crate::exact::{Integer, Number, Pure, Sign};
 use crate::fault::Fault;
 use crate::options::{Options, Ties};
@@ -23,20 +23,31 @@ mod doubles;
 pub use angles::{Angles, judge_refined};
 pub use doubles::judge_conforming_doubles;
 
+/// A number in binary digits, `mantissa 2^exponent` or its opposite.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Binary<'a> {
+    /// The digits of the magnitude, least significant limb first.
+    pub mantissa: &'a [u64],
+    /// The exponent of their unit.
+    pub exponent: i64,
+    /// Whether it is below zero.
+    pub negative: bool,
+}
+
 /// A vertex that was added.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SteinerPoint<'a> {
-    /// `a + t (b - a)`, where a and b are the points `ends`, and `t = mantissa 2^exponent`, least significant limb first.
+    /// `a + t (b - a)`, where a and b are the points `ends`.
     On {
         /// The two points.
         ends: [u32; 2],
-        /// The digits of the parameter.
-        mantissa: &'a [u64],
-        /// The exponent of their unit.
-        exponent: i64,
+        /// The parameter.
+        t: Binary<'a>,
     },
     /// A point in doubles.
     At([f64; 2]),
+    /// A point in numbers of any length.
+    Exactly([Binary<'a>; 2]),
 }
 
 /// What a triangulation with Steiner points is said to be.
@@ -67,18 +78,18 @@ pub struct Conformed<'a> {
     pub promise: Promise,
 }
 
-/// The most binary digits of a parameter that are looked at.
+/// The most binary digits of a number that are looked at.
 const DIGITS_MAX: u64 = 1 << 20;
 
 /// Judges whether the cells are the triangulation that is promised.
 ///
 /// ```
-/// use delone_check::{Conformed, Level, Options, Promise, SteinerPoint, judge_conforming};
+/// use delone_check::{Binary, Conformed, Level, Options, Promise, SteinerPoint, judge_conforming};
 ///
 /// let verdict = judge_conforming(
 ///     &Conformed {
 ///         points: &[[0.0, 0.0], [3.0, 1.0], [6.0, 0.0], [3.0, -1.0]],
-///         steiner: &[SteinerPoint::On { ends: [0, 2], mantissa: &[1], exponent: -1 }],
+///         steiner: &[SteinerPoint::On { ends: [0, 2], t: Binary { mantissa: &[1], exponent: -1, negative: false } }],
 ///         cells: &[0, 4, 1, 4, 2, 1, 0, 3, 4, 4, 3, 2],
 ///         segments: &[[0, 2]],
 ///         constrained: &[[0, 4], [2, 4]],
@@ -137,7 +148,7 @@ fn read<'a>(conformed: &Conformed<'a>, report: &mut Report) -> Option<Scene<'a>>
     let count = conformed.points.len();
     let free = conformed.steiner.iter().map(|steiner| match *steiner {
         SteinerPoint::At(point) => point,
-        SteinerPoint::On { .. } => [0.0; 2],
+        SteinerPoint::On { .. } | SteinerPoint::Exactly(_) => [0.0; 2],
     });
     let plain: Vec<[f64; 2]> = conformed.points.iter().copied().chain(free).collect();
     if !crate::sites::check_finite(&plain, report) {
@@ -153,19 +164,22 @@ fn read<'a>(conformed: &Conformed<'a>, report: &mut Report) -> Option<Scene<'a>>
     if !scene.check_ids(plain.len(), report) {
         return None;
     }
+    let unit = unit_of(&plain);
     let sound = report.check("S1: parameters are strictly between 0 and 1", |report| {
         for (v, steiner) in (0u32..).skip(count).zip(conformed.steiner) {
-            let &SteinerPoint::On { ends, mantissa, exponent } = steiner else { continue };
-            let known = ends.iter().all(|&end| (end as usize) < count);
-            let ends_at = ends.map(|end| scene.at.get(end as usize).cloned());
-            match (ends_at, parameter(mantissa, exponent)) {
-                ([Some(a), Some(b)], Some(t)) if known => {
-                    scene.at[v as usize] = between(&a, &b, &t)
-                }
-                _ => {
-                    let ends = scene.witnesses(&ends);
+            let place = match *steiner {
+                SteinerPoint::At(_) => continue,
+                SteinerPoint::On { ends, t } => on_segment(&scene, ends, t),
+                SteinerPoint::Exactly(numbers) => exactly(numbers, unit),
+            };
+            match (place, steiner) {
+                (Some(place), _) => scene.at[v as usize] = place,
+                (None, SteinerPoint::On { ends, .. }) => {
+                    let ends = scene.witnesses(ends);
                     report.fault(Fault::OffSegment { point: v, ends });
                 }
+                // Of more digits than are looked at.
+                (None, _) => report.fault(Fault::NotFinite { point: scene.witness(v) }),
             }
         }
     });
@@ -176,21 +190,43 @@ fn read<'a>(conformed: &Conformed<'a>, report: &mut Report) -> Option<Scene<'a>>
     defined.then_some(scene)
 }
 
-/// A parameter as a numerator and a power of two over it, if it is strictly between 0 and 1.
-fn parameter(mantissa: &[u64], exponent: i64) -> Option<[Pure; 2]> {
+/// The point of a segment between two of the points, if its parameter is strictly between 0 and 1.
+fn on_segment(scene: &Scene<'_>, ends: [u32; 2], t: Binary<'_>) -> Option<Ratio> {
+    if ends.iter().any(|&end| end as usize >= scene.points.len()) {
+        return None;
+    }
+    let [numerator, denominator] = ratio(t)?;
+    let inside = numerator.exact_sign() == Sign::Positive
+        && denominator.minus(&numerator).exact_sign() == Sign::Positive;
+    let [a, b] = ends.map(|end| &scene.at[end as usize]);
+    inside.then(|| between(a, b, &[numerator, denominator]))
+}
+
+/// A point on the lattice of that unit, or between its points.
+fn exactly([x, y]: [Binary<'_>; 2], unit: i32) -> Option<Ratio> {
+    let over_unit = |x: Binary<'_>| {
+        let exponent = x.exponent.checked_sub(unit.into())?;
+        ratio(Binary { exponent, ..x })
+    };
+    let ([x, of_x], [y, of_y]) = (over_unit(x)?, over_unit(y)?);
+    Some([x.times(&of_y), y.times(&of_x), of_x.times(&of_y)])
+}
+
+/// A number as a ratio, the denominator a power of two; `None` if it has too many digits.
+fn ratio(Binary { mantissa, exponent, negative }: Binary<'_>) -> Option<[Pure; 2]> {
     let digits = u32::try_from(exponent.unsigned_abs()).ok();
-    let digits = digits.filter(|&digits| exponent < 0 && u64::from(digits) <= DIGITS_MAX)?;
+    let digits = digits.filter(|&digits| u64::from(digits) <= DIGITS_MAX)?;
     if mantissa.len() as u64 > DIGITS_MAX / 64 + 1 {
         return None;
     }
+    let [above, below] = if exponent < 0 { [0, digits] } else { [digits, 0] };
     let halves = mantissa.iter().flat_map(|&limb| [limb & 0xffff_ffff, limb >> 32]);
-    let numerator = (0u32..).zip(halves).fold(Pure::shifted(0, 0), |sum, (place, half)| {
-        sum.plus(&Pure::shifted(half.cast_signed(), 32 * place))
+    let zero = || Pure::shifted(0, 0);
+    let magnitude = (0u32..).zip(halves).fold(zero(), |sum, (place, half)| {
+        sum.plus(&Pure::shifted(half.cast_signed(), 32 * place + above))
     });
-    let denominator = Pure::shifted(1, digits);
-    let inside = numerator.exact_sign() == Sign::Positive
-        && denominator.minus(&numerator).exact_sign() == Sign::Positive;
-    inside.then_some([numerator, denominator])
+    let numerator = if negative { zero().minus(&magnitude) } else { magnitude };
+    Some([numerator, Pure::shifted(1, below)])
 }
 
 /// `a + t (b - a)` for points of the lattice.

@@ -1,4 +1,4 @@
-//! Ratios and their square roots to any precision, and powers of two at least and at most: where shells and feet meet segments.
+//! Ratios and their square roots to any precision, shorter numbers near long ones, and powers of two at least and at most: where shells and feet meet segments.
 //!
 //! **Method.** Newton's, in exact arithmetic: with x near sqrt(n / d), the residual n - d x^2 is exact, and the correction, one
 //! double, makes 48 more bits right. So the root is a sum of doubles, as many as the precision asks for. Of n / d itself the residual is n - d x.
@@ -45,6 +45,16 @@ pub(crate) fn quotient(n: &Dyadic, d: &Dyadic, bits: u32) -> Dyadic {
     quotient.scaled(of_n - of_d)
 }
 
+/// A number off by less than `2^unit`.
+pub(crate) fn rounded(x: &Dyadic, unit: i64) -> Dyadic {
+    let mut near = Dyadic::ZERO;
+    loop {
+        let left = x.clone() - &near;
+        let Some(size) = left.magnitude().filter(|&size| size >= unit) else { return near };
+        near += &Dyadic::from(left.scaled(-size).to_f64()).scaled(size);
+    }
+}
+
 /// The greatest k such that `4^k <= square`, which is positive.
 pub(crate) fn log4(square: &Dyadic) -> i64 {
     square.magnitude().expect("lengths are positive").div_euclid(2)
@@ -75,6 +85,20 @@ mod tests {
                 for bits in [50, 52, 96, 300, 2300] {
                     check(&n, &d, bits);
                 }
+            }
+        }
+    }
+
+    #[test]
+    fn rounding_is_by_less_than_a_unit_and_makes_numbers_short() {
+        let long = (0..40i64).fold(Dyadic::ZERO, |x, i| x + Dyadic::from(1.0 / 3.0).scaled(-50 * i));
+        for unit in [3, 0, -10, -60, -300, -1500] {
+            for x in [long.clone(), -long.clone(), Dyadic::ZERO] {
+                let near = rounded(&x, unit);
+                let off = x - &near;
+                assert!(off.magnitude().is_none_or(|size| size < unit), "{unit}");
+                let limbs = near.mantissa().len();
+                assert!(i64::try_from(limbs).unwrap() <= (-unit).max(0) / 64 + 2, "{unit}: {limbs}");
             }
         }
     }

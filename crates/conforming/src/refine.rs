@@ -251,7 +251,9 @@ impl Work<'_> {
     /// Whether a triangle that does not keep the bounds is one that no point makes better.
     fn is_exception(&self, corners: [VertexId; 3]) -> bool {
         let flaw = || self.quality.flaw(&self.live, corners).map(|(flaw, _)| flaw);
-        subtends_input_angle(&self.live, &self.apexes, corners) && flaw() == Some(Flaw::Skinny)
+        let corners_from_shortest = self.quality.from_shortest(&self.live, corners);
+        subtends_input_angle(&self.live, &self.apexes, corners_from_shortest)
+            && flaw() == Some(Flaw::Skinny)
     }
 
     /// Whether no triangle waits but such as are gone or exceptions.
@@ -381,11 +383,9 @@ impl Work<'_> {
         if self.is_exception(corners) {
             return self.left_alone.push((cell, corners, Reason::InputAngle));
         }
-        let Some(centre) = self.quality.centre(&self.live, corners) else {
+        let Some(p) = self.quality.push_centre(&mut self.live, corners) else {
             return self.left_alone.push((cell, corners, Reason::Unreachable));
         };
-        let p = self.live.kernel.push_plain(centre);
-        let p = VertexId::new(p as usize);
         let place = self.live.locate(cell, p, probe);
         self.region.pieces.clear();
         match place {

@@ -20,8 +20,13 @@ pub enum SteinerPoint {
         /// The parameter, strictly between 0 and 1.
         t: Dyadic,
     },
-    /// Between segments, at its position in doubles.
+    /// Between segments, exactly at its position in doubles.
     Free,
+    /// Between segments that are so close that doubles are too coarse for a place between them.
+    FreeExactly {
+        /// The place.
+        at: Box<[Dyadic; 2]>,
+    },
 }
 
 /// A triangulation of a PSLG with Steiner points: those after the sites.
@@ -63,15 +68,16 @@ fn sorted(pieces: &[Piece], vertices: usize) -> (Vec<[u32; 2]>, Vec<u32>) {
 
 impl Conforming {
     pub(crate) fn new(live: Live, is_complete: bool) -> Self {
-        let on = |steiner: Steiner<'_>| match steiner {
+        let on = |(v, steiner): (u32, Steiner<'_>)| match steiner {
             Steiner::On { segment, t } => {
                 let ends = live.segments[segment as usize];
                 SteinerPoint::On { subsegment: segment, ends, t: t.exact() }
             }
-            Steiner::Free => SteinerPoint::Free,
+            Steiner::Free if live.kernel.is_exact_position(v) => SteinerPoint::Free,
+            Steiner::Free => SteinerPoint::FreeExactly { at: Box::new(live.kernel.exact(v).x) },
         };
         let mut steiner = Vec::with_capacity(live.steiner.len());
-        steiner.extend(live.steiner.iter().map(on));
+        steiner.extend((0..).skip(live.sites).zip(live.steiner.iter()).map(on));
         let (constrained, parents) = sorted(&live.pieces, live.kernel.len());
         let Live { mesh, kernel, sites, .. } = live;
         Self { mesh, kernel, sites, steiner, constrained, parents, is_complete }

@@ -1,9 +1,10 @@
 //! What the tests of this crate have in common.
 
 use delone_check::{
-    Angles, Complex, Conformed, Options, Promise, SteinerPoint, Verdict, judge_conforming,
+    Angles, Binary, Complex, Conformed, Options, Promise, SteinerPoint, Verdict, judge_conforming,
     judge_constrained, judge_refined,
 };
+use delone_predicates::{Dyadic, Sign};
 use delone_sites::Pslg;
 
 use crate::{Conforming, Refined, SteinerPoint as Added};
@@ -46,10 +47,9 @@ fn with_conformed(
     }
     let sites = pslg.sites().len();
     let on = conforming.steiner_points().iter().enumerate().map(|(i, point)| match point {
-        Added::On { ends, t, .. } => {
-            SteinerPoint::On { ends: *ends, mantissa: t.mantissa(), exponent: t.exponent() }
-        }
+        Added::On { ends, t, .. } => SteinerPoint::On { ends: *ends, t: binary(t) },
         Added::Free => SteinerPoint::At(conforming.positions()[sites + i]),
+        Added::FreeExactly { at } => SteinerPoint::Exactly(at.each_ref().map(binary)),
     });
     let steiner: Vec<SteinerPoint<'_>> = on.collect();
     let conformed = Conformed {
@@ -61,4 +61,10 @@ fn with_conformed(
         promise,
     };
     judge(&conformed, &Options::default())
+}
+
+/// A number by its digits.
+fn binary(x: &Dyadic) -> Binary<'_> {
+    let negative = x.sign() == Sign::Negative;
+    Binary { mantissa: x.mantissa(), exponent: x.exponent(), negative }
 }

@@ -113,7 +113,7 @@ impl Result<'_> {
         for steiner in self.conforming.steiner_points() {
             let on = match steiner {
                 SteinerPoint::On { subsegment, ends, t } => Some((*subsegment, *ends, t.to_f64())),
-                SteinerPoint::Free => None,
+                SteinerPoint::Free | SteinerPoint::FreeExactly { .. } => None,
             };
             if !document.point_markers.is_empty() {
                 document.point_markers.push(on.map_or(0, |(subsegment, ..)| marker(subsegment)));

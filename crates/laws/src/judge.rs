@@ -2,12 +2,13 @@
 
 use delone::cdt::Cdt;
 use delone::check::{
-    Angles, Backend, Complex, Conformed, Level, Links, Options, Promise, SteinerPoint, Verdict,
+    Angles, Backend, Binary, Complex, Conformed, Level, Links, Options, Promise, SteinerPoint, Verdict,
     judge_conforming, judge_constrained, judge_delaunay, judge_links, judge_refined, judge_regular,
 };
 use delone::conforming::{Conforming, Method, Refined, SteinerPoint as Added};
 use delone::delaunay::{Delaunay, Regular};
 use delone::mesh::{Mesh, VertexId};
+use delone::predicates::{Dyadic, Sign};
 use delone::sites::WeightedSites;
 use delone::{Pslg, Sites};
 
@@ -112,10 +113,9 @@ fn with_conformed(
     }
     let added = result.steiner_points().iter().zip(&result.positions()[points.len()..]);
     let steiner = added.map(|(added, &position)| match added {
-        Added::On { ends, t, .. } => {
-            SteinerPoint::On { ends: *ends, mantissa: t.mantissa(), exponent: t.exponent() }
-        }
+        Added::On { ends, t, .. } => SteinerPoint::On { ends: *ends, t: binary(t) },
         Added::Free => SteinerPoint::At(position),
+        Added::FreeExactly { at } => SteinerPoint::Exactly(at.each_ref().map(binary)),
     });
     let conformed = Conformed {
         points,
@@ -126,6 +126,12 @@ fn with_conformed(
         promise,
     };
     judge(&conformed, &options)
+}
+
+/// A number by its digits.
+fn binary(x: &Dyadic) -> Binary<'_> {
+    let negative = x.sign() == Sign::Negative;
+    Binary { mantissa: x.mantissa(), exponent: x.exponent(), negative }
 }
 
 fn accept(name: &str, level: Level, rigour: Rigour, judge: impl Fn(&Options) -> Verdict) {

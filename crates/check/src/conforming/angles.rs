@@ -141,7 +141,7 @@ impl<'a> Rays<'a> {
         let mut from: BTreeMap<u32, BTreeSet<u32>> = BTreeMap::new();
         let on = steiner.iter().filter_map(|steiner| match *steiner {
             SteinerPoint::On { ends, .. } => Some(ends),
-            SteinerPoint::At(_) => None,
+            SteinerPoint::At(_) | SteinerPoint::Exactly(_) => None,
         });
         let whole = covered.iter().copied().filter(|e| e.iter().all(|&v| (v as usize) < points));
         for [a, b] in on.chain(whole) {
@@ -155,7 +155,7 @@ impl<'a> Rays<'a> {
     fn through(&self, v: u32) -> Vec<[u32; 2]> {
         match (v as usize).checked_sub(self.points).and_then(|place| self.steiner.get(place)) {
             Some(&SteinerPoint::On { ends: [a, b], .. }) => vec![[a, b], [b, a]],
-            Some(SteinerPoint::At(_)) => Vec::new(),
+            Some(SteinerPoint::At(_) | SteinerPoint::Exactly(_)) => Vec::new(),
             None => self.from.get(&v).into_iter().flatten().map(|&z| [z, v]).collect(),
         }
     }

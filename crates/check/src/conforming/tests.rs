@@ -5,10 +5,16 @@ struct Data {
     mantissa: Vec<u64>,
     exponent: i64,
     free: Option<[f64; 2]>,
+    exact: Option<[Binary<'static>; 2]>,
     cells: Vec<u32>,
     segments: Vec<[u32; 2]>,
     constrained: Vec<[u32; 2]>,
     promise: Promise,
+}
+
+/// A number that is not below zero.
+fn binary(mantissa: &[u64], exponent: i64) -> Binary<'_> {
+    Binary { mantissa, exponent, negative: false }
 }
 
 /// A kite whose long diagonal is split in its middle, by hand; `spoil` makes it wrong.
@@ -18,14 +24,18 @@ fn judged(spoil: impl FnOnce(&mut Data)) -> Verdict {
         mantissa: vec![1],
         exponent: -1,
         free: None,
+        exact: None,
         cells: vec![0, 4, 1, 4, 2, 1, 0, 3, 4, 4, 3, 2],
         segments: vec![[0, 2]],
         constrained: vec![[0, 4], [2, 4]],
         promise: Promise::EmptyDisks,
     };
     spoil(&mut data);
-    let on = SteinerPoint::On { ends: [0, 2], mantissa: &data.mantissa, exponent: data.exponent };
-    let steiner = [data.free.map_or(on, SteinerPoint::At)];
+    let on = SteinerPoint::On { ends: [0, 2], t: binary(&data.mantissa, data.exponent) };
+    let steiner = match data.exact {
+        Some(exact) => [SteinerPoint::Exactly(exact)],
+        None => [data.free.map_or(on, SteinerPoint::At)],
+    };
     let conformed = Conformed {
         points: &data.points,
         steiner: &steiner,
@@ -76,6 +86,30 @@ fn each_fault_is_found() {
     rejected("unused-point", &|data| data.points.push([3.0, 0.5]));
 }
 
+/// A free point need be no double: by its digits it is on the diagonal, or off it by less than any double tells, on either side.
+#[test]
+fn free_points_are_exact() {
+    let at = |y: Binary<'static>| {
+        // 3 = 3/2 * 2, in a unit below that of the doubles and one above.
+        let x = [binary(&[3], 0), binary(&[0, 3], -64)];
+        x.map(|x| judged(|data| data.exact = Some([x, y])))
+    };
+    for verdict in at(Binary::default()) {
+        assert!(verdict.ok, "{verdict}");
+    }
+    for negative in [false, true] {
+        for verdict in at(Binary { negative, ..binary(&[1], -5000) }) {
+            assert!(verdict.has("broken-segment"), "{negative}: {verdict}");
+        }
+    }
+    let endless = Binary { exponent: i64::MIN, ..binary(&[1], 0) };
+    assert!(at(endless).iter().all(|verdict| verdict.has("not-finite")));
+    let high = judged(|data| {
+        data.exact = Some([binary(&[3], 0), binary(&[1], 1)]); // (3, 2): beyond the kite
+    });
+    assert!(!high.ok, "{high}");
+}
+
 /// A segment that stays constrained only: its diametral disk holds both others, and so does the circle.
 #[test]
 fn the_promises_differ() {
@@ -107,7 +141,7 @@ fn the_promises_differ() {
 fn long_parameters_are_exact() {
     let judge = |low: u64| {
         let mantissa = [low, 0, 1 << 63];
-        let steiner = [SteinerPoint::On { ends: [0, 1], mantissa: &mantissa, exponent: -192 }];
+        let steiner = [SteinerPoint::On { ends: [0, 1], t: binary(&mantissa, -192) }];
         let conformed = Conformed {
             points: &[[0.0, 0.0], [2.0, 0.0], [1.0, 1.0], [1.0, -1.0], [1.0, 0.0]],
             steiner: &steiner,
@@ -159,7 +193,7 @@ fn exceptions_touch_small_input_angles() {
 /// Two segments from 0 with Steiner points in their middles: the cell between these is at the small angle, by their labels.
 #[test]
 fn exceptions_are_found_beyond_the_first_shell() {
-    let middle = |end| SteinerPoint::On { ends: [0, end], mantissa: &[1], exponent: -1 };
+    let middle = |end| SteinerPoint::On { ends: [0, end], t: binary(&[1], -1) };
     let judged = |second: SteinerPoint<'_>| {
         let conformed = Conformed {
             points: &[[0.0, 0.0], [8.0, 0.0], [8.0, 6.0]],

@@ -1,32 +1,64 @@
-//! Circumcentres and off-centres in doubles: places for vertices, which rounding may move.
+//! Circumcentres and off-centres: in doubles, which may move them a little; where doubles are too coarse for a triangle so small, in as many
+//! bits as its shortest edge asks for.
+//!
+//! ```text
+//!            c               Both are on the bisector of the shortest edge pq, s |pq| from its middle: the circumcentre with
+//!            |               s = cot(r) / 2, r being the angle at the third corner, which is opposite pq and so the least; the
+//!       x    |               off-centre with s = cot(a / 2) / 2, a being the least angle asked for, if that is less.
+//!      / \   |
+//!     p---q
+//! ```
+
+use delone_predicates::{Dyadic, Sign};
 
 use super::Centre;
+use crate::ratio::{log4, quotient, rounded};
 
 /// By how much an off-centre stays short of the place where the angle just keeps the bound: rounding must not undo it.
 const SHORT: f64 = 0.95;
 
-/// The centre of a triangle whose shortest edge is from `p` to `q`; `cotangent` is that of half the least angle asked for.
-/// `None` if doubles cannot say.
-pub(super) fn centre([p, q, r]: [[f64; 2]; 3], kind: Centre, cotangent: f64) -> Option<[f64; 2]> {
-    let (u, v) = ([q[0] - p[0], q[1] - p[1]], [r[0] - p[0], r[1] - p[1]]);
-    let area = 2.0 * (u[0] * v[1] - u[1] * v[0]);
-    let (uu, vv) = (u[0] * u[0] + u[1] * u[1], v[0] * v[0] + v[1] * v[1]);
-    let to_centre = [(v[1] * uu - u[1] * vv) / area, (u[0] * vv - v[0] * uu) / area];
-    let mut to = to_centre;
-    if kind == Centre::OffCentre {
-        // On the bisector of pq, on the side of r, which is on its left.
-        let factor = SHORT * 0.5 * cotangent;
-        let off = [0.5 * u[0] - factor * u[1], 0.5 * u[1] + factor * u[0]];
-        let nearer = |a: [f64; 2]| {
-            let (x, y) = (a[0] - 0.5 * u[0], a[1] - 0.5 * u[1]);
-            x * x + y * y
-        };
-        // The circumcentre may be beyond pq, as seen from r.
-        let along = to_centre[1] * u[0] - to_centre[0] * u[1];
-        if along > 0.0 && nearer(off) < nearer(to_centre) {
-            to = off;
-        }
+/// Bits of what is to the shortest edge, beyond which an exact centre is rounded.
+const BITS: i64 = 40;
+
+/// How far from the middle of the shortest edge, in terms of its length, half the cotangent of the least angle being that; `cotangent` is that of
+/// half the least angle asked for.
+fn distance(half_cotangent: f64, kind: Centre, cotangent: f64) -> f64 {
+    match kind {
+        Centre::Circumcentre => half_cotangent,
+        Centre::OffCentre => half_cotangent.min(SHORT * 0.5 * cotangent),
     }
-    let centre = [p[0] + to[0], p[1] + to[1]];
+}
+
+/// The centre of a triangle whose shortest edge is from `p` to `q`. `None` if doubles cannot say.
+pub(super) fn centre([p, q, r]: [[f64; 2]; 3], kind: Centre, cotangent: f64) -> Option<[f64; 2]> {
+    let from = |o: [f64; 2], p: [f64; 2]| [p[0] - o[0], p[1] - o[1]];
+    let (u, a, b) = (from(p, q), from(r, p), from(r, q));
+    let (along, across) = (a[0] * b[0] + a[1] * b[1], a[0] * b[1] - a[1] * b[0]);
+    let s = distance(0.5 * along / across, kind, cotangent);
+    let centre = [p[0] + (0.5 * u[0] - s * u[1]), p[1] + (0.5 * u[1] + s * u[0])];
     centre.iter().all(|x| x.is_finite()).then_some(centre)
+}
+
+/// The same, rounded to what is far less than the shortest edge.
+pub(super) fn exact_centre(
+    [p, q, r]: &[[Dyadic; 2]; 3],
+    kind: Centre,
+    cotangent: f64,
+) -> Option<[Dyadic; 2]> {
+    let from = |o: &[Dyadic; 2], p: &[Dyadic; 2]| [0, 1].map(|x| p[x].clone() - &o[x]);
+    let (u, a, b) = (from(p, q), from(r, p), from(r, q));
+    let along = &a[0] * &b[0] + &a[1] * &b[1];
+    let across = &a[0] * &b[1] - &a[1] * &b[0];
+    if [&along, &across].iter().any(|x| x.sign() != Sign::Positive) {
+        return None; // no triangle whose shortest edge is pq
+    }
+    let s = distance(0.5 * quotient(&along, &across, 53).to_f64(), kind, cotangent);
+    if !s.is_finite() {
+        return None;
+    }
+    let (s, unit) = (Dyadic::from(s), log4(&(&u[0] * &u[0] + &u[1] * &u[1])) - BITS);
+    let [x, y] = u;
+    let off = [x.clone().half() - &s * &y, y.half() + &s * &x];
+    let [x, y] = off;
+    Some([rounded(&(x + &p[0]), unit), rounded(&(y + &p[1]), unit)])
 }

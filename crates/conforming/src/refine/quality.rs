@@ -7,7 +7,7 @@
 use delone_mesh::VertexId;
 use delone_predicates::{Dyadic, Sign};
 
-use super::centre::centre;
+use super::centre::{centre, exact_centre};
 use super::queue::Urgency;
 use super::{Centre, RefineOptions, SizeField};
 use crate::live::{Live, id};
@@ -17,6 +17,9 @@ pub(super) const ROUNDING: f64 = 1e-14;
 
 /// What is further off than this is off for certain, if edges are not too short.
 const CLEAR: f64 = 1e-6;
+
+/// How far positions may be off, over the shortest edge, where doubles are fine enough: times 32.
+const FINE: f64 = 1.0 / 512.0;
 
 /// What is wrong with a triangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,6 +44,8 @@ pub(super) struct Quality<'a> {
     rounding: f64,
     /// The square of the shortest edge at which that is less than half of what is clear.
     clear_from: f64,
+    /// The square of the shortest edge at which doubles are fine enough for places near it.
+    fine_from: f64,
 }
 
 impl<'a> Quality<'a> {
@@ -60,6 +65,7 @@ impl<'a> Quality<'a> {
             bounds_size: options.area_max < f64::INFINITY || options.size.is_some(),
             rounding,
             clear_from: (rounding / (0.5 * CLEAR)).powi(2),
+            fine_from: (rounding / FINE).powi(2),
         }
     }
 
@@ -146,10 +152,41 @@ impl<'a> Quality<'a> {
         ab == Sign::Negative && over != Sign::Negative
     }
 
-    /// Where to put a vertex to destroy a triangle.
-    pub(super) fn centre(&self, live: &Live, corners: [VertexId; 3]) -> Option<[f64; 2]> {
+    /// Makes the place for a vertex that destroys a triangle the last vertex of the kernel.
+    pub(super) fn push_centre(&self, live: &mut Live, corners: [VertexId; 3]) -> Option<VertexId> {
+        let corners = self.from_shortest(live, corners);
         let at = live.positions(corners);
-        centre(rotated(at, shortest_edge(at)), self.centre, self.cotangent)
+        let is_fine = self.is_fine(square(at[0], at[1]));
+        let near = is_fine.then(|| centre(at, self.centre, self.cotangent)).flatten();
+        let p = if let Some(near) = near {
+            live.kernel.push_plain(near)
+        } else {
+            let at = corners.map(|v| live.kernel.exact(id(v)).x);
+            live.kernel.push_exact(exact_centre(&at, self.centre, self.cotangent)?)
+        };
+        Some(VertexId::new(p as usize))
+    }
+
+    /// Whether positions are off by far less than a shortest edge of this square; not where that under- or overflows.
+    #[inline]
+    fn is_fine(&self, shortest: f64) -> bool {
+        shortest > self.fine_from && shortest.is_normal()
+    }
+
+    /// The corners in their order, the shortest edge being that from the first to the second.
+    pub(super) fn from_shortest(&self, live: &Live, corners: [VertexId; 3]) -> [VertexId; 3] {
+        let at = live.positions(corners);
+        let first = shortest_edge(at);
+        let [p, q, _] = rotated(at, first);
+        if self.is_fine(square(p, q)) {
+            return rotated(corners, first);
+        }
+        let [a, b, c] = corners.map(|v| live.kernel.exact(id(v)).x);
+        let square = |p: &[Dyadic; 2], q: &[Dyadic; 2]| {
+            let [x, y] = [0, 1].map(|axis| q[axis].clone() - &p[axis]);
+            &x * &x + &y * &y
+        };
+        rotated(corners, shortest_of([square(&a, &b), square(&b, &c), square(&c, &a)]))
     }
 }
 
@@ -186,7 +223,6 @@ impl Shape {
 /// The squared lengths of a triangle's edges, in increasing order.
 #[inline(always)]
 fn sorted_squares([p, q, r]: [[f64; 2]; 3]) -> [f64; 3] {
-    let square = |p: [f64; 2], q: [f64; 2]| dot(minus(q, p), minus(q, p));
     let sorted = |a: f64, b: f64| if b < a { (b, a) } else { (a, b) };
     let (low, high) = sorted(square(p, q), square(q, r));
     let (low, third) = sorted(low, square(r, p));
@@ -194,16 +230,15 @@ fn sorted_squares([p, q, r]: [[f64; 2]; 3]) -> [f64; 3] {
     [low, middle, high]
 }
 
-/// The corners in their order, the shortest edge being that from the first to the second.
-pub(super) fn from_shortest(live: &Live, corners: [VertexId; 3]) -> [VertexId; 3] {
-    rotated(corners, shortest_edge(live.positions(corners)))
-}
-
 /// From which corner, to the next one, the shortest edge of a triangle runs.
 #[inline]
 fn shortest_edge([p, q, r]: [[f64; 2]; 3]) -> usize {
-    let square = |p: [f64; 2], q: [f64; 2]| dot(minus(q, p), minus(q, p));
-    let (pq, qr, rp) = (square(p, q), square(q, r), square(r, p));
+    shortest_of([square(p, q), square(q, r), square(r, p)])
+}
+
+/// The first of the smallest.
+#[inline]
+fn shortest_of<T: PartialOrd>([pq, qr, rp]: [T; 3]) -> usize {
     if pq <= qr && pq <= rp {
         0
     } else if qr <= rp {
@@ -220,6 +255,11 @@ fn rotated<T: Copy>([a, b, c]: [T; 3], first: usize) -> [T; 3] {
         1 => [b, c, a],
         _ => [c, a, b],
     }
+}
+
+#[inline(always)]
+fn square(p: [f64; 2], q: [f64; 2]) -> f64 {
+    dot(minus(q, p), minus(q, p))
 }
 
 #[inline(always)]

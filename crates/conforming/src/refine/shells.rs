@@ -4,7 +4,7 @@
 use delone_mesh::VertexId;
 use delone_predicates::{Dyadic, Sign};
 
-use super::quality::{ROUNDING, dot, from_shortest, minus, products};
+use super::quality::{ROUNDING, dot, minus, products};
 use crate::apexes::Apexes;
 use crate::live::{Live, Steiner, id};
 use crate::parameter::Parameter;
@@ -19,9 +19,9 @@ const EQUAL: f64 = 1.0 / (1u64 << EQUAL_BITS) as f64;
 /// More than the relative difference of squared radii that agree in so many bits.
 const NEARLY: f64 = 2.0 * EQUAL;
 
-/// Whether the shortest edge joins two segments of an apex, at one distance from it: no point makes the angle larger.
-pub(super) fn subtends_input_angle(live: &Live, apexes: &Apexes, corners: [VertexId; 3]) -> bool {
-    let [p, q, r] = from_shortest(live, corners);
+/// Whether the shortest edge of a triangle, from its first corner to its second, joins two segments of an apex, at one distance from it: no point
+/// makes the angle larger.
+pub(super) fn subtends_input_angle(live: &Live, apexes: &Apexes, [p, q, r]: [VertexId; 3]) -> bool {
     let [on_p, on_q] = [p, q].map(|v| live.steiner_of(v));
     match (on_p, on_q) {
         (Some(Steiner::On { segment, t }), _) => meet(live, apexes, (segment, p, t), q),

@@ -4,6 +4,7 @@ use super::lazy::Value;
 use super::{Constructed, Construction, ConstructionError, PLAIN, ROUNDED};
 use crate::Dyadic;
 use crate::dyadic::nearest_ratio;
+use crate::ring::Homogeneous;
 
 impl<const D: usize> Constructed<D> {
     /// Adds a constructed point. Its id. O(1).
@@ -16,12 +17,15 @@ impl<const D: usize> Constructed<D> {
     pub fn push(&mut self, construction: &Construction) -> Result<u32, ConstructionError> {
         construction.parents().try_for_each(|id| self.check_plain(id))?;
         let exact = construction.value(|id| self.positions[id as usize])?;
-        let position = exact.x.each_ref().map(|x| nearest_ratio(x, &exact.w));
-        let is_exact = |axis: usize| {
-            position[axis].is_finite() && Dyadic::from(position[axis]) * &exact.w == exact.x[axis]
-        };
-        let all_exact = (0..D).all(is_exact);
-        Ok(self.add_value(Value::known(exact), position, all_exact))
+        Ok(self.add_known(exact))
+    }
+
+    /// Adds a point by its coordinates, exactly; one of doubles is not plain either. Its id. O(1).
+    ///
+    /// # Panics
+    /// If there are 2^32 - 1 points.
+    pub fn push_exact(&mut self, point: [Dyadic; D]) -> u32 {
+        self.add_known(Homogeneous::plain(point))
     }
 
     /// [`Construction::SegmentPoint`] with a parameter that is a double: no long number is made before one is needed.
@@ -46,6 +50,15 @@ impl<const D: usize> Constructed<D> {
             Some(&place) if place & !ROUNDED != PLAIN => Err(ConstructionError::NotPlain { id }),
             Some(_) => Ok(()),
         }
+    }
+
+    fn add_known(&mut self, exact: Homogeneous<Dyadic, D>) -> u32 {
+        let position = exact.x.each_ref().map(|x| nearest_ratio(x, &exact.w));
+        let is_exact = |axis: usize| {
+            position[axis].is_finite() && Dyadic::from(position[axis]) * &exact.w == exact.x[axis]
+        };
+        let all_exact = (0..D).all(is_exact);
+        self.add_value(Value::known(exact), position, all_exact)
     }
 
     fn add_value(&mut self, value: Value<D>, position: [f64; D], is_exact: bool) -> u32 {
