@@ -85,8 +85,8 @@ pub use alpha::judge_alpha;
 pub use arranged::{Arranged, judge_arranged};
 pub use cells::Complex;
 pub use conforming::{
-    Angles, Binary, Conformed, Promise, SteinerPoint, judge_conforming,
-    judge_conforming_doubles, judge_refined,
+    Angles, Binary, Conformed, Promise, SteinerPoint, judge_conforming, judge_conforming_doubles,
+    judge_refined,
 };
 pub use constrained::judge_constrained;
 pub use delaunay::judge_delaunay;

@@ -11,6 +11,7 @@ use delone_mesh::{CellId, HalfEdge, VertexId};
 use delone_predicates::{Constructed, Dyadic, Metric, Sign};
 
 use crate::live::Live;
+use crate::vector::{self, between, square};
 
 /// More than enough for angles that are not tiny, and so little that both `t` and `1 - t` are mostly doubles.
 const BITS_MIN: u32 = 30;
@@ -111,11 +112,10 @@ fn bits_between(kernel: &Constructed<2>, z: VertexId, [u, w]: [VertexId; 2]) -> 
         return 0;
     }
     let [o, p, q] = [z, u, w].map(|v| at(v).map(Dyadic::from));
-    let [p, q] = [p, q].map(|v| [v[0].clone() - &o[0], v[1].clone() - &o[1]]);
-    let cross = &p[0] * &q[1] - &p[1] * &q[0];
-    let square = |v: &[Dyadic; 2]| &v[0] * &v[0] + &v[1] * &v[1];
+    let [p, q] = [p, q].map(|v| between(&o, &v));
     let squares = &square(&p) * &square(&q);
-    let (Some(cross), Some(squares)) = (cross.magnitude(), squares.magnitude()) else {
+    let (Some(cross), Some(squares)) = (vector::cross(&p, &q).magnitude(), squares.magnitude())
+    else {
         return 0; // segments do not overlap: a noded graph has no such angle
     };
     let asked = squares + 1 - 2 * cross + 3 + SLACK; // 1 / sin^2 a < 2^(squares + 1 - 2 cross)

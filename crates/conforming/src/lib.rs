@@ -44,13 +44,15 @@ mod registry;
 mod result;
 mod saalfeld;
 mod split;
+mod vector;
 
 pub use conform::{
     ConformOptions, Criterion, Encroached, Limits, Missing, Subsegment, conform,
     conform_by_protection,
 };
 pub use refine::{
-    Centre, Encroachment, LeftAlone, Reason, RefineOptions, Refined, SizeField, refine,
+    Centre, Encroachment, Gap, LeftAlone, Reason, RefineOptions, Refined, SizeField, narrowest_gap,
+    refine,
 };
 pub use registry::{Method, methods};
 pub use result::{Conforming, SteinerPoint};

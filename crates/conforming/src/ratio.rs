@@ -91,14 +91,18 @@ mod tests {
 
     #[test]
     fn rounding_is_by_less_than_a_unit_and_makes_numbers_short() {
-        let long = (0..40i64).fold(Dyadic::ZERO, |x, i| x + Dyadic::from(1.0 / 3.0).scaled(-50 * i));
+        let long =
+            (0..40i64).fold(Dyadic::ZERO, |x, i| x + Dyadic::from(1.0 / 3.0).scaled(-50 * i));
         for unit in [3, 0, -10, -60, -300, -1500] {
             for x in [long.clone(), -long.clone(), Dyadic::ZERO] {
                 let near = rounded(&x, unit);
                 let off = x - &near;
                 assert!(off.magnitude().is_none_or(|size| size < unit), "{unit}");
                 let limbs = near.mantissa().len();
-                assert!(i64::try_from(limbs).unwrap() <= (-unit).max(0) / 64 + 2, "{unit}: {limbs}");
+                assert!(
+                    i64::try_from(limbs).unwrap() <= (-unit).max(0) / 64 + 2,
+                    "{unit}: {limbs}"
+                );
             }
         }
     }

@@ -15,14 +15,15 @@
 //! keep the bounds, but for those left alone, which are listed with the reason.
 //! **Invariants.** 1. The mesh is the CDT after each point. 2. A triangle inside that does not keep the bounds is queued, or
 //! listed. 3. Bounds on angles are decided exactly: doubles first, with their errors; then dyadic numbers.
+//! **Precision.** Centres are doubles, but where these are off by more than a small part of the shortest edge (`refine/centre.rs`).
 //! **Cost.** O(1) for each cell that changes, a short walk. Triangles wait in lists by urgency: nothing is sorted or compared.
 //! **Limits.** Up to 20.7 degrees this is proven to end, up to 26.4 without segments at less than 60 degrees; beyond, it usually
-//! does up to 33: give a limit on vertices.
+//! does up to 33: give a limit on vertices. Narrow gaps take as many triangles as they go into what is along them ([`narrowest_gap`]).
 //!
 //! **Degeneracies.**
 //! | case | answer | test |
 //! |---|---|---|
-//! | a centre rounds to a vertex, or the walk there fails | the triangle is listed as [`Reason::Unreachable`] | `doubles_too_coarse_are_reported` |
+//! | triangles so small that doubles are too coarse for their centres | centres of as many bits as it takes | `triangles_are_smaller_than_doubles_can_tell` |
 //! | a centre on a free edge | both triangles are split | `a_square_is_refined` |
 //! | a centre on a segment | the segment is split, exactly | `a_square_is_refined` |
 //! | a point on an edge of the hull that is no piece | the edge is cut; the point is never taken out | `a_point_on_a_bare_hull_stays` |
@@ -30,6 +31,7 @@
 //! | all sites in line, or nothing inside | nothing to refine | `nothing_inside_is_nothing_to_do` |
 
 mod centre;
+mod gap;
 mod quality;
 mod queue;
 mod result;
@@ -51,6 +53,7 @@ use quality::{Flaw, Quality};
 use queue::Queue;
 use shells::subtends_input_angle;
 
+pub use gap::{Gap, narrowest_gap};
 pub use result::{LeftAlone, Reason, Refined};
 
 /// Where the point that destroys a triangle goes.
@@ -251,9 +254,8 @@ impl Work<'_> {
     /// Whether a triangle that does not keep the bounds is one that no point makes better.
     fn is_exception(&self, corners: [VertexId; 3]) -> bool {
         let flaw = || self.quality.flaw(&self.live, corners).map(|(flaw, _)| flaw);
-        let corners_from_shortest = self.quality.from_shortest(&self.live, corners);
-        subtends_input_angle(&self.live, &self.apexes, corners_from_shortest)
-            && flaw() == Some(Flaw::Skinny)
+        let ordered = self.quality.shortest_first(&self.live, corners);
+        subtends_input_angle(&self.live, &self.apexes, ordered) && flaw() == Some(Flaw::Skinny)
     }
 
     /// Whether no triangle waits but such as are gone or exceptions.

@@ -43,7 +43,7 @@ impl Result<'_> {
     }
 
     /// That it is constrained Delaunay; and if nothing stopped it, that angles inside are at least the promised one but where small
-    /// input angles are and where doubles are too coarse.
+    /// input angles are.
     pub(crate) fn verdict_on_angles(&self, refined: &Refined, cosine_square: f64) -> Verdict {
         if !self.conforming.is_complete() || self.conforming.mesh().dimension() != Some(2) {
             return self.verdict_on(Promise::Constrained);
@@ -135,7 +135,7 @@ impl Result<'_> {
     }
 
     /// For each subsegment the first input segment that runs over it.
-    fn first_segments(&self) -> Vec<u32> {
+    pub(crate) fn first_segments(&self) -> Vec<u32> {
         let mut first = vec![u32::MAX; self.pslg.subsegments().len()];
         for (segment, chain) in (0u32..).zip(self.pslg.chains().iter()) {
             for &subsegment in chain {

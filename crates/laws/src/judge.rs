@@ -2,8 +2,9 @@
 
 use delone::cdt::Cdt;
 use delone::check::{
-    Angles, Backend, Binary, Complex, Conformed, Level, Links, Options, Promise, SteinerPoint, Verdict,
-    judge_conforming, judge_constrained, judge_delaunay, judge_links, judge_refined, judge_regular,
+    Angles, Backend, Binary, Complex, Conformed, Level, Links, Options, Promise, SteinerPoint,
+    Verdict, judge_conforming, judge_constrained, judge_delaunay, judge_links, judge_refined,
+    judge_regular,
 };
 use delone::conforming::{Conforming, Method, Refined, SteinerPoint as Added};
 use delone::delaunay::{Delaunay, Regular};

@@ -1,31 +1,6 @@
-//! Bounds of effort, and what came of many inputs: ratios with a peer, and the names of those of which nothing else can be said.
+//! What came of many inputs: ratios with a peer, and the names of those of which nothing else can be said.
 
-use std::time::{Duration, Instant};
-
-use delone::probe::{Event, Probe};
-use delone_tests::{long, say};
-
-/// A probe that stops after some time.
-pub(crate) struct Deadline(Instant);
-
-impl Deadline {
-    pub(crate) fn after(seconds: u64) -> Self {
-        Self(Instant::now() + Duration::from_secs(seconds))
-    }
-}
-
-impl Probe for Deadline {
-    fn on(&mut self, _: Event) {}
-
-    fn goes_on(&mut self) -> bool {
-        Instant::now() < self.0
-    }
-}
-
-/// Seconds for one run on one input.
-pub(crate) fn seconds() -> u64 {
-    if long() { 5 } else { 2 }
-}
+use delone_tests::say;
 
 /// Ratios, ours over a peer's, by input.
 #[derive(Default)]

@@ -13,6 +13,7 @@ use delone_predicates::{Dyadic, Sign};
 
 use super::Centre;
 use crate::ratio::{log4, quotient, rounded};
+use crate::vector::{Vector, between, cross, dot, square};
 
 /// By how much an off-centre stays short of the place where the angle just keeps the bound: rounding must not undo it.
 const SHORT: f64 = 0.95;
@@ -41,14 +42,12 @@ pub(super) fn centre([p, q, r]: [[f64; 2]; 3], kind: Centre, cotangent: f64) -> 
 
 /// The same, rounded to what is far less than the shortest edge.
 pub(super) fn exact_centre(
-    [p, q, r]: &[[Dyadic; 2]; 3],
+    [p, q, r]: &[Vector; 3],
     kind: Centre,
     cotangent: f64,
-) -> Option<[Dyadic; 2]> {
-    let from = |o: &[Dyadic; 2], p: &[Dyadic; 2]| [0, 1].map(|x| p[x].clone() - &o[x]);
-    let (u, a, b) = (from(p, q), from(r, p), from(r, q));
-    let along = &a[0] * &b[0] + &a[1] * &b[1];
-    let across = &a[0] * &b[1] - &a[1] * &b[0];
+) -> Option<Vector> {
+    let (u, a, b) = (between(p, q), between(r, p), between(r, q));
+    let (along, across) = (dot(&a, &b), cross(&a, &b));
     if [&along, &across].iter().any(|x| x.sign() != Sign::Positive) {
         return None; // no triangle whose shortest edge is pq
     }
@@ -56,7 +55,7 @@ pub(super) fn exact_centre(
     if !s.is_finite() {
         return None;
     }
-    let (s, unit) = (Dyadic::from(s), log4(&(&u[0] * &u[0] + &u[1] * &u[1])) - BITS);
+    let (s, unit) = (Dyadic::from(s), log4(&square(&u)) - BITS);
     let [x, y] = u;
     let off = [x.clone().half() - &s * &y, y.half() + &s * &x];
     let [x, y] = off;

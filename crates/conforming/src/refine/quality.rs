@@ -5,12 +5,13 @@
 //! and by what rounded positions are off: where they are no further apart than that, exact numbers decide.
 
 use delone_mesh::VertexId;
-use delone_predicates::{Dyadic, Sign};
+use delone_predicates::{Constructed, Dyadic, Sign};
 
 use super::centre::{centre, exact_centre};
 use super::queue::Urgency;
 use super::{Centre, RefineOptions, SizeField};
 use crate::live::{Live, id};
+use crate::vector::{self, Vector, between};
 
 /// Relative, of a dozen roundings.
 pub(super) const ROUNDING: f64 = 1e-14;
@@ -18,8 +19,8 @@ pub(super) const ROUNDING: f64 = 1e-14;
 /// What is further off than this is off for certain, if edges are not too short.
 const CLEAR: f64 = 1e-6;
 
-/// How far positions may be off, over the shortest edge, where doubles are fine enough: times 32.
-const FINE: f64 = 1.0 / 512.0;
+/// Where doubles are fine enough for a place near the shortest edge, 64 times what they are off by is less than this part of that.
+const FINE: f64 = 0.25;
 
 /// What is wrong with a triangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -87,7 +88,7 @@ impl<'a> Quality<'a> {
         };
         let flaw = if is_skinny {
             Flaw::Skinny
-        } else if self.bounds_size && self.is_large(live, corners, longest) {
+        } else if self.bounds_size && self.is_large(live, corners, shortest, longest) {
             Flaw::Large
         } else {
             return None;
@@ -115,12 +116,15 @@ impl<'a> Quality<'a> {
         [[p, q, r], [q, r, p], [r, p, q]].into_iter().any(|at| self.is_less(at, live))
     }
 
-    /// Of a triangle whose longest edge has this square.
+    /// Of a triangle whose shortest and longest edges have these squares.
     #[inline(never)]
-    fn is_large(&self, live: &Live, corners: [VertexId; 3], longest: f64) -> bool {
+    fn is_large(&self, live: &Live, corners: [VertexId; 3], shortest: f64, longest: f64) -> bool {
         let at = live.positions(corners);
         let (u, v) = (minus(at[1], at[0]), minus(at[2], at[0]));
-        let area = 0.5 * (u[0] * v[1] - u[1] * v[0]).abs();
+        let (mut area, mut longest) = (0.5 * (u[0] * v[1] - u[1] * v[0]).abs(), longest);
+        if shortest <= self.clear_from || !longest.is_finite() {
+            (area, longest) = exact_sizes(live, corners);
+        }
         area > self.area_max
             || self.size.is_some_and(|size| {
                 let third = |axis: usize| (at[0][axis] + at[1][axis] + at[2][axis]) / 3.0;
@@ -154,7 +158,7 @@ impl<'a> Quality<'a> {
 
     /// Makes the place for a vertex that destroys a triangle the last vertex of the kernel.
     pub(super) fn push_centre(&self, live: &mut Live, corners: [VertexId; 3]) -> Option<VertexId> {
-        let corners = self.from_shortest(live, corners);
+        let corners = self.shortest_first(live, corners);
         let at = live.positions(corners);
         let is_fine = self.is_fine(square(at[0], at[1]));
         let near = is_fine.then(|| centre(at, self.centre, self.cotangent)).flatten();
@@ -174,30 +178,38 @@ impl<'a> Quality<'a> {
     }
 
     /// The corners in their order, the shortest edge being that from the first to the second.
-    pub(super) fn from_shortest(&self, live: &Live, corners: [VertexId; 3]) -> [VertexId; 3] {
+    pub(super) fn shortest_first(&self, live: &Live, corners: [VertexId; 3]) -> [VertexId; 3] {
         let at = live.positions(corners);
         let first = shortest_edge(at);
         let [p, q, _] = rotated(at, first);
         if self.is_fine(square(p, q)) {
             return rotated(corners, first);
         }
-        let [a, b, c] = corners.map(|v| live.kernel.exact(id(v)).x);
-        let square = |p: &[Dyadic; 2], q: &[Dyadic; 2]| {
-            let [x, y] = [0, 1].map(|axis| q[axis].clone() - &p[axis]);
-            &x * &x + &y * &y
-        };
-        rotated(corners, shortest_of([square(&a, &b), square(&b, &c), square(&c, &a)]))
+        let squares = exact_edges(&live.kernel, corners).map(|edge| vector::square(&edge));
+        rotated(corners, shortest_of(squares))
     }
+}
+
+/// The edges from each corner to the next, exactly.
+pub(super) fn exact_edges(kernel: &Constructed<2>, corners: [VertexId; 3]) -> [Vector; 3] {
+    let [a, b, c] = corners.map(|v| kernel.exact(id(v)).x);
+    [between(&a, &b), between(&b, &c), between(&c, &a)]
+}
+
+/// The area and the square of the longest edge, to the nearest doubles.
+fn exact_sizes(live: &Live, corners: [VertexId; 3]) -> (f64, f64) {
+    let edges = exact_edges(&live.kernel, corners);
+    let area = vector::cross(&edges[0], &edges[1]).half().to_f64().abs();
+    let longest = edges.iter().map(|edge| vector::square(edge).to_f64()).fold(0.0, f64::max);
+    (area, longest)
 }
 
 /// The signs of `u . v` and of `(u . v)^2 - c |u|^2 |v|^2` for the edges u, v from the first vertex to the two others, exactly.
 pub(super) fn products(vertices: [VertexId; 3], c: f64, live: &Live) -> [Sign; 2] {
     let [z, a, b] = vertices.map(|v| live.kernel.exact(id(v)).x);
-    let from = |[x, y]: [Dyadic; 2]| [x - &z[0], y - &z[1]];
-    let (u, v) = (from(a), from(b));
-    let dot = |p: &[Dyadic; 2], q: &[Dyadic; 2]| &p[0] * &q[0] + &p[1] * &q[1];
-    let uv = dot(&u, &v);
-    let squares = &dot(&u, &u) * &dot(&v, &v);
+    let (u, v) = (between(&z, &a), between(&z, &b));
+    let uv = vector::dot(&u, &v);
+    let squares = &vector::square(&u) * &vector::square(&v);
     let over = &uv * &uv - &squares * &Dyadic::from(c);
     [uv.sign(), over.sign()]
 }

@@ -2,19 +2,23 @@
 
 use delone_cdt::Cdt;
 use delone_mesh::{CellId, VertexId};
-use delone_predicates::Kernel;
+use delone_predicates::{Constructed, Dyadic, Kernel};
 use delone_sites::Pslg;
 
 use super::Work;
+use super::quality::exact_edges;
 use crate::Conforming;
 use crate::live::id;
+
+/// Of the magnitude of coordinates, what is long enough for their rounding to turn an edge by less than 10^-5 degrees.
+const COARSE: f64 = 1.0 / (1u64 << 26) as f64;
 
 /// Why a triangle inside does not keep the bounds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reason {
     /// Its shortest edge joins two segments that meet at less than 60 degrees, at one distance from where they meet.
     InputAngle,
-    /// The place for a point that would destroy it is, in doubles, a vertex, or no place that can be walked to.
+    /// A walk did not find the place for a point that would destroy it. Not known to happen.
     Unreachable,
     /// A limit was reached before it was its turn.
     Limit,
@@ -87,7 +91,7 @@ impl Refined {
     }
 
     /// What is promised of angles, for a judge: for each solid cell in their order whether it counts, being inside and not out of reach
-    /// of doubles or cut off by a limit; and the places in that order of those that are left alone at small input angles. All others
+    /// or cut off by a limit; and the places in that order of those that are left alone at small input angles. All others
     /// that count keep the bound on angles.
     #[must_use]
     pub fn promised(&self) -> (Vec<bool>, Vec<usize>) {
@@ -125,15 +129,32 @@ impl Refined {
 
     fn least_angle(&self, cell: CellId) -> f64 {
         let corners = self.triangulation.mesh().corners(cell);
-        let at = |i: usize| self.triangulation.kernel().position(id(corners[i % 3]));
+        let edges = edges(self.triangulation.kernel(), [corners[0], corners[1], corners[2]]);
         let angle = |i: usize| {
-            let [o, p, q] = [at(i), at(i + 1), at(i + 2)];
-            let (u, v) = ([p[0] - o[0], p[1] - o[1]], [q[0] - o[0], q[1] - o[1]]);
-            let (cross, dot) = (u[0] * v[1] - u[1] * v[0], u[0] * v[0] + u[1] * v[1]);
-            cross.atan2(dot).to_degrees()
+            let (u, [x, y]) = (edges[i], edges[(i + 2) % 3]);
+            let (cross, dot) = (x * u[1] - y * u[0], -(x * u[0] + y * u[1]));
+            cross.abs().atan2(dot).to_degrees()
         };
         angle(0).min(angle(1)).min(angle(2))
     }
+}
+
+/// The edges of a triangle, from each corner to the next, over about the longest: exact where doubles are too coarse for the shortest.
+fn edges(kernel: &Constructed<2>, corners: [VertexId; 3]) -> [[f64; 2]; 3] {
+    let at = corners.map(|v| kernel.position(id(v)));
+    let minus = |p: [f64; 2], q: [f64; 2]| [q[0] - p[0], q[1] - p[1]];
+    let near = [minus(at[0], at[1]), minus(at[1], at[2]), minus(at[2], at[0])];
+    let size = |edge: &[f64; 2]| edge[0].abs().max(edge[1].abs());
+    let sizes = near.each_ref().map(size);
+    let (least, most) =
+        (sizes.into_iter().fold(f64::INFINITY, f64::min), sizes.into_iter().fold(0.0, f64::max));
+    let far = at.as_flattened().iter().fold(0.0, |far: f64, x| far.max(x.abs()));
+    if least > COARSE * far && most < f64::INFINITY && least.is_normal() {
+        return near.map(|edge| edge.map(|x| x / most));
+    }
+    let exact = exact_edges(kernel, corners);
+    let top = exact.as_flattened().iter().filter_map(Dyadic::magnitude).max().unwrap_or(0);
+    exact.map(|edge| edge.map(|x| x.scaled(-top).to_f64()))
 }
 
 impl Work<'_> {

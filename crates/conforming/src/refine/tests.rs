@@ -2,6 +2,7 @@ use delone_check::Promise;
 use delone_workloads::Rng;
 
 use super::*;
+use crate::SteinerPoint;
 use crate::testing::{judged, judged_with_angles, pslg};
 
 const METHODS: [(Centre, Encroachment); 4] = [
@@ -64,19 +65,22 @@ fn nothing_inside_is_nothing_to_do() {
     }
 }
 
-/// A square of four units in the last place: of triangles whose corners are doubles none inside is as small as is asked for.
+/// A square of four units in the last place: no triangle whose corners are doubles is as small as is asked for.
 #[test]
-fn doubles_too_coarse_are_reported() {
+fn triangles_are_smaller_than_doubles_can_tell() {
     let (ulp, high) = (f64::EPSILON, 1.0 + 4.0 * f64::EPSILON);
     let graph = polygon(&[[1.0, 1.0], [high, 1.0], [high, high], [1.0, high]]);
-    let limits = Limits { vertices_max: 2_000 };
-    let options = RefineOptions { area_max: ulp * ulp / 8.0, limits, ..RefineOptions::default() };
+    for refined in refined(&graph, 20.7, ulp * ulp / 8.0) {
+        assert_eq!(refined.left_alone(), []);
+        assert!(refined.cells().count() >= 128, "an area of 16 in parts of an eighth at most");
+    }
+    let size = |_: [f64; 2]| ulp / 8.0;
+    let options = RefineOptions { size: Some(&size), ..RefineOptions::default() };
     let refined = refine(&graph, &Fill::Exterior, &options, &mut ()).unwrap();
-    assert!(refined.is_complete() && refined.left_alone_for(Reason::Unreachable) > 0);
-    let (counts, exceptions) = refined.promised();
-    assert!(exceptions.is_empty() && counts.contains(&false), "no promise of what is out of reach");
-    let verdict = judged_with_angles(&graph, &refined, options.cosine_square());
-    assert!(verdict.ok, "all others keep the angle: {verdict}");
+    assert_eq!((refined.is_complete(), refined.left_alone()), (true, &[][..]));
+    assert!(refined.cells().count() >= 2 * 32 * 32, "edges of an eighth, in a square of 32");
+    let steiner = refined.triangulation().steiner_points();
+    assert!(steiner.iter().any(|point| matches!(point, SteinerPoint::FreeExactly { .. })));
 }
 
 /// Of two triangles with a small angle of the input, the one with sides of one length is an exception though its turn does not come.

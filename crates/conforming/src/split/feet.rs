@@ -26,6 +26,7 @@ use super::on_other;
 use crate::live::{Live, PieceId, Steiner, id};
 use crate::parameter::Parameter;
 use crate::ratio::quotient;
+use crate::vector::{between, cross, dot, square};
 
 /// Parameters on the segment of a piece.
 pub(super) type Feet = SmallVec<[Parameter; 2]>;
@@ -75,21 +76,18 @@ fn near_foot(live: &Live, piece: PieceId, v: VertexId) -> Option<f64> {
 fn exact_foot(live: &Live, piece: PieceId, v: VertexId) -> Dyadic {
     let segment = live.pieces[piece as usize].segment;
     let at = |z: u32| live.kernel.position(z).map(Dyadic::from);
-    let from = |a: &[Dyadic; 2], b: &[Dyadic; 2]| [0, 1].map(|axis| b[axis].clone() - &a[axis]);
     let ends = |segment: u32| live.segments[segment as usize].map(at);
     let v = match live.steiner_of(v) {
         Some(Steiner::On { segment, t }) => {
             let [a, b] = ends(segment);
-            let (w, t) = (from(&a, &b), t.exact());
+            let (w, t) = (between(&a, &b), t.exact());
             [0, 1].map(|axis| &t * &w[axis] + &a[axis])
         }
         _ => at(id(v)),
     };
     let [a, b] = ends(segment);
-    let (u, d) = (from(&a, &b), from(&a, &v));
-    let square = &u[0] * &u[0] + &u[1] * &u[1];
-    let cross = &u[0] * &d[1] - &u[1] * &d[0];
-    let along = &d[0] * &u[0] + &d[1] * &u[1];
+    let (u, d) = (between(&a, &b), between(&a, &v));
+    let (square, cross, along) = (square(&u), cross(&u, &d), dot(&u, &d));
     let [t0, t1] = live.parameters(piece).map(|t| t.exact());
     let sizes = [&square, &(t1 - &t0), &along, &cross].map(Dyadic::magnitude);
     let [Some(square_size), Some(share), Some(foot), Some(off)] = sizes else {

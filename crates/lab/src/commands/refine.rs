@@ -2,9 +2,12 @@
 
 use std::path::Path;
 
+use delone_cdt::Fill;
 use delone_conforming::{
-    Centre, Encroachment, Limits, Reason, RefineOptions, Refined, SizeField, refine as refined,
+    Centre, Encroachment, Gap, Limits, Reason, RefineOptions, Refined, SizeField, narrowest_gap,
+    refine as refined,
 };
+use serde::Serialize;
 use serde_json::{Map, Value, json};
 
 use super::adding::{Adding, Own};
@@ -27,16 +30,63 @@ pub(crate) fn refine(arguments: &cli::Refine) -> Result<(), Failure> {
     let (subject, conforming) = (&adding.subject, refined.triangulation());
     let pslg = adding.pslg();
     let result = steiner::Result { subject, pslg, conforming, inside: Some(&refined) };
-    let own =
-        Own { schema: "delone.refine/1", keys: keys(&refined, arguments.adding.report.voice.json) };
-    adding.end(&result, own, || result.verdict_on_angles(&refined, options.cosine_square()))?;
+    let mut keys = keys(&refined, arguments.adding.report.voice.json);
+    let gap = reason_to_stop(&result, &rule, &options);
+    if let Some(gap) = &gap {
+        keys.insert("gap".to_owned(), json!(gap));
+    }
+    let own = Own { schema: "delone.refine/1", keys };
+    let end =
+        adding.end(&result, own, || result.verdict_on_angles(&refined, options.cosine_square()));
+    end.map_err(|failure| match (failure, gap) {
+        (Failure::Limit(text), Some(gap)) => Failure::Limit(format!("{text}; {gap}")),
+        (failure, _) => failure,
+    })?;
     match refined.left_alone_for(Reason::Unreachable) {
         0 => Ok(()),
         count => Err(Failure::Limit(format!(
-            "{}: doubles are too coarse for the bounds in {count} triangles; the result is valid, and keeps them elsewhere",
+            "{}: no way to where a point would go in {count} triangles; the result is valid, and keeps the bounds elsewhere",
             subject.name()
         ))),
     }
+}
+
+/// Why no limit of this size will do: a narrow gap.
+#[derive(Serialize)]
+struct Reasoned {
+    /// Input segments.
+    segments: [u32; 2],
+    length: f64,
+    width: f64,
+    triangles_min: f64,
+}
+
+impl std::fmt::Display for Reasoned {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Self { segments: [a, b], length, width, triangles_min } = self;
+        write!(
+            f,
+            "segments {a} and {b} run along each other for {length:.3e}, at most {width:.3e} apart: without smaller angles that takes {triangles_min:.1e} \
+             triangles or more, whoever makes them"
+        )
+    }
+}
+
+/// What a limit has stopped, if it asks for more triangles than there are.
+fn reason_to_stop(
+    result: &steiner::Result<'_>,
+    rule: &Fill,
+    options: &RefineOptions<'_>,
+) -> Option<Reasoned> {
+    if result.conforming.is_complete() {
+        return None;
+    }
+    let gap = narrowest_gap(result.pslg, rule, options.angle_deg_min).ok()??;
+    let first = result.first_segments();
+    let Gap { subsegments, length, width, triangles_min } = gap;
+    let segments = subsegments.map(|s| first[s as usize]);
+    let is_more = triangles_min > result.conforming.cells().count() as f64;
+    is_more.then_some(Reasoned { segments, length, width, triangles_min })
 }
 
 fn options<'a>(
@@ -71,7 +121,7 @@ fn keys(refined: &Refined, all: bool) -> Map<String, Value> {
         let corners: Vec<usize> = mesh.corners(left.cell).iter().map(|v| v.index()).collect();
         let reason = match left.reason {
             Reason::InputAngle => "input angle",
-            Reason::Unreachable => "unreachable in doubles",
+            Reason::Unreachable => "unreachable",
             Reason::Limit => "limit",
         };
         json!({ "vertices": corners, "reason": reason })

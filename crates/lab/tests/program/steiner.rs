@@ -106,10 +106,10 @@ fn refine_tells_the_keys_of_the_contract() {
     }
 }
 
-/// A square of four units in the last place: of triangles whose corners are doubles none inside is as small as is asked for. That is a
-/// limit, and no fault.
+/// A square of four units in the last place: no triangle whose corners are doubles is as small as is asked for. In exact numbers they are; in doubles
+/// the result is no triangulation, which is said.
 #[test]
-fn doubles_too_coarse_are_a_limit() {
+fn triangles_are_smaller_than_doubles_can_tell() {
     let folder = folder();
     let (ulp, high) = (f64::EPSILON, 1.0 + 4.0 * f64::EPSILON);
     let corners = format!("1 1 1\n2 {high:?} 1\n3 {high:?} {high:?}\n4 1 {high:?}\n");
@@ -118,12 +118,30 @@ fn doubles_too_coarse_are_a_limit() {
     std::fs::write(folder.path().join("tiny.poly"), text).unwrap();
     let words = ["refine", "tiny.poly", "--area-max", &area, "--json", "--check"];
     let (status, out, error) = run(folder.path(), &words);
-    assert_eq!(status, 3, "{error}");
-    assert!(error.contains("doubles are too coarse"), "{error}");
+    assert_eq!(status, 0, "{error}");
     let object: Value = serde_json::from_str(&out).unwrap();
     assert_eq!((&object["complete"], &object["check"]["ok"]), (&true.into(), &true.into()));
-    let left = object["left_alone"].as_array().unwrap();
-    assert!(left.iter().any(|left| left["reason"] == "unreachable in doubles"), "{object}");
+    assert_eq!(object["left_alone"].as_array().unwrap().len(), 0, "{object}");
+    assert!(object["rounded_vertices"].as_u64().unwrap() > 0, "{object}");
+    assert_eq!(object["rounding_keeps_validity"], false);
+}
+
+/// A slot takes as many triangles as its width goes into its length; what a limit stops is told so.
+#[test]
+fn a_narrow_gap_is_told_where_a_limit_stops() {
+    let folder = folder();
+    let corners = "1 0 0\n2 1e6 0\n3 1e6 1e-3\n4 0 1e-3\n";
+    let text = format!("4 2 0 0\n{corners}4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n");
+    std::fs::write(folder.path().join("slot.poly"), text).unwrap();
+    let words = ["refine", "slot.poly", "--vertices-max", "500", "--json"];
+    let (status, out, error) = run(folder.path(), &words);
+    assert_eq!(status, 3, "{error}");
+    assert!(error.contains("segments 0 and 2 run along each other"), "{error}");
+    let object: Value = serde_json::from_str(&out).unwrap();
+    assert_eq!(object["gap"]["segments"], serde_json::json!([0, 2]), "{object}");
+    assert!(object["gap"]["triangles_min"].as_f64().unwrap() > 1e8, "{object}");
+    let (_, _, error) = run(folder.path(), &["refine", "holed.poly", "--vertices-max", "9"]);
+    assert!(error.contains("limit") && !error.contains("run along"), "{error}");
 }
 
 #[test]

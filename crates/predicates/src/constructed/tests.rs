@@ -247,3 +247,31 @@ fn points_between_are_segment_points() {
     assert_eq!(quick.push_between([0, 3], 0.5), Err(ConstructionError::NotPlain { id: 3 }));
     assert_eq!(quick.push_between([0, 99], 0.5), Err(ConstructionError::Unknown { id: 99 }));
 }
+
+/// On a line, and off it by less than any double.
+#[test]
+fn points_given_exactly_are_just_there() {
+    let mut kernel = Constructed::new(vec![[0.0, 0.0], [3.0, 1.0], [0.0, 5.0]]);
+    let t = (0..9i64).fold(Dyadic::ZERO, |t, i| t + Dyadic::from(1.0 / 3.0).scaled(-50 * i));
+    let (a, b) = (0, 1);
+    let point = kernel.push(&Construction::SegmentPoint { a, b, t: t.clone() }).unwrap() as usize;
+    let x = &t * &Dyadic::from(3);
+    let same = kernel.push_exact([x.clone(), t.clone()]) as usize;
+    assert_eq!(kernel.compare_lexicographic(point, same), Ordering::Equal);
+    assert_eq!(kernel.position(3), kernel.position(4));
+    assert_eq!(kernel.orient(&[0, 1, same]), Sign::Zero);
+    let least = Dyadic::from(1).scaled(-5000);
+    for (off, sign) in [(least.clone(), Sign::Positive), (-least, Sign::Negative)] {
+        let beside = kernel.push_exact([x.clone(), t.clone() + &off]) as usize;
+        assert!(!kernel.is_exact_position(u32::try_from(beside).unwrap()));
+        assert_eq!(kernel.orient(&[0, 1, beside]), sign);
+        assert_eq!(kernel.position(3), kernel.position(u32::try_from(beside).unwrap()));
+        assert!(kernel.pop());
+    }
+    let plain = kernel.push_exact([Dyadic::from(0), Dyadic::from(5)]);
+    assert!(kernel.is_exact_position(plain) && !kernel.is_plain(plain));
+    assert_eq!(kernel.compare_lexicographic(2usize, plain as usize), Ordering::Equal);
+    let beyond = kernel.push_exact([Dyadic::from(1).scaled(3000), Dyadic::ZERO]);
+    assert_eq!(kernel.position(beyond), [f64::INFINITY, 0.0]);
+    assert_eq!(kernel.orient(&[0, 1, beyond as usize]), Sign::Negative);
+}
