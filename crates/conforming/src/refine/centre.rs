@@ -35,7 +35,9 @@ pub(super) fn centre([p, q, r]: [[f64; 2]; 3], kind: Centre, cotangent: f64) -> 
     let from = |o: [f64; 2], p: [f64; 2]| [p[0] - o[0], p[1] - o[1]];
     let (u, a, b) = (from(p, q), from(r, p), from(r, q));
     let (along, across) = (a[0] * b[0] + a[1] * b[1], a[0] * b[1] - a[1] * b[0]);
-    let s = distance(0.5 * along / across, kind, cotangent);
+    // Of a triangle so flat that rounding turns it over nothing is known but that the circumcentre is far.
+    let half_cotangent = if across > 0.0 { 0.5 * along / across } else { f64::INFINITY };
+    let s = distance(half_cotangent, kind, cotangent);
     let centre = [p[0] + (0.5 * u[0] - s * u[1]), p[1] + (0.5 * u[1] + s * u[0])];
     centre.iter().all(|x| x.is_finite()).then_some(centre)
 }
@@ -61,3 +63,6 @@ pub(super) fn exact_centre(
     let [x, y] = off;
     Some([rounded(&(x + &p[0]), unit), rounded(&(y + &p[1]), unit)])
 }
+
+#[cfg(test)]
+mod tests;

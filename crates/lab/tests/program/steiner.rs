@@ -140,6 +140,7 @@ fn a_narrow_gap_is_told_where_a_limit_stops() {
     let object: Value = serde_json::from_str(&out).unwrap();
     assert_eq!(object["gap"]["segments"], serde_json::json!([0, 2]), "{object}");
     assert!(object["gap"]["triangles_min"].as_f64().unwrap() > 1e8, "{object}");
+    std::fs::write(folder.path().join("holed.poly"), HOLED).unwrap();
     let (_, _, error) = run(folder.path(), &["refine", "holed.poly", "--vertices-max", "9"]);
     assert!(error.contains("limit") && !error.contains("run along"), "{error}");
 }
