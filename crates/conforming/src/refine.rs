@@ -26,6 +26,7 @@
 //! | triangles so small that doubles are too coarse for their centres | centres of as many bits as it takes | `triangles_are_smaller_than_doubles_can_tell` |
 //! | a centre on a free edge | both triangles are split | `a_square_is_refined` |
 //! | a centre on a segment | the segment is split, exactly | `a_square_is_refined` |
+//! | a centre beyond an edge of the hull that is no piece | the triangle is listed as [`Reason::Unreachable`] | `centres_beyond_a_bare_hull_are_told` |
 //! | a point on an edge of the hull that is no piece | the edge is cut; the point is never taken out | `a_point_on_a_bare_hull_stays` |
 //! | a gap narrower than doubles can tell | exact numbers say what encroaches | `a_gap_far_below_the_doubles_ends` |
 //! | all sites in line, or nothing inside | nothing to refine | `nothing_inside_is_nothing_to_do` |

@@ -18,7 +18,8 @@ const COARSE: f64 = 1.0 / (1u64 << 26) as f64;
 pub enum Reason {
     /// Its shortest edge joins two segments that meet at less than 60 degrees, at one distance from where they meet.
     InputAngle,
-    /// A walk did not find the place for a point that would destroy it. Not known to happen.
+    /// The place for a point that would destroy it is beyond an edge of the hull that is no segment, so that it is not split. Where segments
+    /// are around all that is inside, there is no such triangle.
     Unreachable,
     /// A limit was reached before it was its turn.
     Limit,

@@ -99,6 +99,19 @@ fn exceptions_are_told_at_the_limit_too() {
     }
 }
 
+/// A flat triangle, its hull bare: the centre is beyond the long edge, which is split only if it is a segment.
+#[test]
+fn centres_beyond_a_bare_hull_are_told() {
+    let corners = [[0.0, 0.0], [10.0, 0.0], [5.0, 1.0]];
+    let bare = refine(&pslg(&corners, &[]), &Fill::Hull, &RefineOptions::default(), &mut ());
+    let bare = bare.unwrap();
+    assert!(bare.is_complete() && bare.left_alone_for(Reason::Unreachable) == 1);
+    let (counts, exceptions) = bare.promised();
+    assert!(exceptions.is_empty() && counts == [false], "no promise of what is out of reach");
+    let refined = refine(&polygon(&corners), &Fill::Hull, &RefineOptions::default(), &mut ());
+    assert_eq!(refined.unwrap().left_alone_for(Reason::Unreachable), 0);
+}
+
 /// Between two chains that share their ends there are 1e-28, so that points on both have the same nearest doubles: what is in a lens and what is
 /// not, only exact numbers tell.
 #[test]

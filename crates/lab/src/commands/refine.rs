@@ -45,7 +45,7 @@ pub(crate) fn refine(arguments: &cli::Refine) -> Result<(), Failure> {
     match refined.left_alone_for(Reason::Unreachable) {
         0 => Ok(()),
         count => Err(Failure::Limit(format!(
-            "{}: no way to where a point would go in {count} triangles; the result is valid, and keeps the bounds elsewhere",
+            "{}: {count} triangles ask for points beyond the hull, where no segment is to be split; the result is valid, and keeps the bounds elsewhere",
             subject.name()
         ))),
     }
@@ -121,7 +121,7 @@ fn keys(refined: &Refined, all: bool) -> Map<String, Value> {
         let corners: Vec<usize> = mesh.corners(left.cell).iter().map(|v| v.index()).collect();
         let reason = match left.reason {
             Reason::InputAngle => "input angle",
-            Reason::Unreachable => "unreachable",
+            Reason::Unreachable => "beyond the hull",
             Reason::Limit => "limit",
         };
         json!({ "vertices": corners, "reason": reason })

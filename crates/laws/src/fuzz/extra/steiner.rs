@@ -4,7 +4,8 @@ use delone::Pslg;
 use delone::cdt::Fill;
 use delone::check::{Level, Promise};
 use delone::conforming::{
-    ConformOptions, Conforming, Limits, RefineOptions, Refined, methods, refine,
+    ConformOptions, Conforming, Limits, Reason, RefineOptions, Refined, methods, narrowest_gap,
+    refine,
 };
 use delone::mesh::CellId;
 use delone::predicates::{Dyadic, Homogeneous, Metric, Sign};
@@ -48,7 +49,7 @@ fn accept(case: &Case<2>, pslg: &Pslg, result: &Conforming, promise: Promise) {
     assert!(verdict.ok && verdict.level == level, "{}, {promise:?}: {verdict}", case.name);
 }
 
-/// What refinement leaves is a constrained Delaunay triangulation without small angles inside.
+/// What refinement leaves is a constrained Delaunay triangulation without small angles inside, and as large as its gaps ask for.
 pub(in crate::fuzz) fn of_refinement() -> Vec<Law<2>> {
     vec![Law { name: "refinement", hold: refinement }]
 }
@@ -60,7 +61,13 @@ fn refinement(case: &Case<2>) -> usize {
         let refined = refine(&pslg, fill, &options, &mut ()).expect("these rules always apply");
         let result = refined.triangulation();
         accept(case, &pslg, result, Promise::Constrained);
+        let gap = narrowest_gap(&pslg, fill, options.angle_deg_min).expect("as before");
         if refined.is_complete() {
+            let (cells, of_gap) =
+                (refined.cells().count(), gap.map_or(0.0, |gap| gap.triangles_min));
+            assert!(cells as f64 >= of_gap, "{}: {cells} triangles for {gap:?}", case.name);
+            let beyond_hull = refined.left_alone_for(Reason::Unreachable);
+            assert!(beyond_hull == 0 || matches!(fill, Fill::Hull), "{}: {beyond_hull}", case.name);
             let left = |cell| refined.left_alone().iter().any(|left| left.cell == cell);
             for cell in refined.cells().filter(|&cell| !left(cell)) {
                 assert!(!has_small_angle(&refined, cell), "{}: {cell:?} is skinny", case.name);
