@@ -102,6 +102,11 @@ fn free_points_are_exact() {
             assert!(verdict.has("broken-segment"), "{negative}: {verdict}");
         }
     }
+    let below = judged(|data| {
+        data.points.iter_mut().for_each(|p| p[0] -= 6.0);
+        data.exact = Some([Binary { negative: true, ..binary(&[3], 0) }, Binary::default()]);
+    });
+    assert!(below.ok, "{below}");
     let endless = Binary { exponent: i64::MIN, ..binary(&[1], 0) };
     assert!(at(endless).iter().all(|verdict| verdict.has("not-finite")));
     let high = judged(|data| {

@@ -49,22 +49,26 @@ fn both_ways_agree() {
 /// Rounding turns triangles over that are nearly flat; no centre gets to the wrong side of the shortest edge for that.
 #[test]
 fn flat_triangles_have_their_centres_on_the_right_side() {
+    let mut random = Rng::new(4);
     let mut turned = 0;
-    for i in 1..400 {
-        let far = f64::from(i) / 7.0;
-        let corners =
-            [[0.1, 0.3], [0.1 + 1.0 / 64.0, 0.3 + 3.0 / 64.0], [0.1 + far, 0.3 + 3.0 * far]];
-        let [p, q, r] = corners.map(|p| p.map(Dyadic::from));
-        let area = cross(&between(&r, &p), &between(&r, &q));
-        if area.sign() != Sign::Positive {
+    for _ in 0..2000 {
+        let [near, far] = [random.between(0.01, 0.1), random.between(1.0, 50.0)];
+        let mut corners = [0.0, near, far].map(|t| [0.1 + t, 0.3 + 3.0 * t]);
+        let area = |corners: [[f64; 2]; 3]| {
+            let [p, q, r] = corners.map(|p| p.map(Dyadic::from));
+            cross(&between(&r, &p), &between(&r, &q)).sign()
+        };
+        if area(corners) == Sign::Negative {
+            corners.swap(0, 1);
+        }
+        if area(corners) == Sign::Zero {
             continue;
         }
+        let [p, q, r] = corners;
         let off = centre(corners, Centre::OffCentre, cotangent()).unwrap();
-        assert!(
-            cross(&between(&p, &q), &between(&p, &off.map(Dyadic::from))).sign() == Sign::Positive
-        );
-        let [a, b] = [0, 1].map(|i| [0, 1].map(|axis| corners[i][axis] - corners[2][axis]));
-        turned += usize::from(a[0] * b[1] - a[1] * b[0] <= 0.0);
+        assert_eq!(area([p, q, off]), Sign::Positive, "{corners:?}");
+        let [a, b] = [p, q].map(|p| [p[0] - r[0], p[1] - r[1]]);
+        turned += usize::from(a[0] * b[1] - a[1] * b[0] < 0.0);
     }
     assert!(turned > 10, "{turned}");
 }
