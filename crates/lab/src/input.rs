@@ -7,6 +7,9 @@ use delone_formats::{Document, Format, Source, one, read_bytes, read_path};
 
 use crate::failure::Failure;
 
+/// The most names of documents in a message.
+const NAMES_MAX: usize = 5;
+
 /// The format that `--format` names.
 pub(crate) fn format_of(name: Option<&str>) -> Result<Option<Format>, Failure> {
     name.map(|name| {
@@ -15,9 +18,19 @@ pub(crate) fn format_of(name: Option<&str>) -> Result<Option<Format>, Failure> {
     .transpose()
 }
 
-/// All documents of a file or of standard input.
+/// All documents of a file or of standard input; of `FILE#NAME`, if there is no such file, the one of `FILE` that is called so.
 pub(crate) fn read_all(path: &Path, format: Option<&str>) -> Result<Vec<Document>, Failure> {
     let format = format_of(format)?;
+    if let Some(file) = file_of_named(path) {
+        let mut documents = read_path(&file, format).map_err(Failure::input)?;
+        let name = path.to_string_lossy();
+        let names: Vec<String> = documents.iter().map(|document| document.name.clone()).collect();
+        documents.retain(|document| document.name == name);
+        if documents.is_empty() {
+            return Err(Failure::input(format!("{name}: there is {}", several(&names))));
+        }
+        return Ok(documents);
+    }
     if path != Path::new("-") {
         return read_path(path, format).map_err(Failure::input);
     }
@@ -30,7 +43,29 @@ pub(crate) fn read_all(path: &Path, format: Option<&str>) -> Result<Vec<Document
 
 /// The one document of a file or of standard input.
 pub(crate) fn read(path: &Path, format: Option<&str>) -> Result<Document, Failure> {
-    one(read_all(path, format)?, &path.to_string_lossy()).map_err(Failure::input)
+    let (documents, name) = (read_all(path, format)?, path.to_string_lossy());
+    if documents.len() > 1 && path != Path::new("-") {
+        let names: Vec<String> = documents.into_iter().map(|document| document.name).collect();
+        return Err(Failure::input(format!(
+            "{name}: holds {} documents where one is needed: name one of {}",
+            names.len(),
+            several(&names)
+        )));
+    }
+    one(documents, &name).map_err(Failure::input)
+}
+
+/// The file that a document is part of, where there is no file of the whole name.
+fn file_of_named(path: &Path) -> Option<PathBuf> {
+    let (file, _) = path.to_str()?.rsplit_once('#')?;
+    let file = PathBuf::from(file);
+    (!path.exists() && file.is_file()).then_some(file)
+}
+
+/// A few names.
+fn several(names: &[String]) -> String {
+    let more = if names.len() > NAMES_MAX { ", .." } else { "" };
+    format!("{}{more}", names[..names.len().min(NAMES_MAX)].join(", "))
 }
 
 /// Replaces the document's weights by those of a file, one number for each point, between blanks, commas or line ends.

@@ -131,6 +131,23 @@ fn bad_input_is_named_with_file_and_line() {
     }
 }
 
+/// A file of several documents: one is taken by its name, as reports have it.
+#[test]
+fn a_document_of_a_file_is_taken_by_its_name() {
+    let folder = folder();
+    let text = "POLYGON((0 0,4 0,4 3,0 0))\nPOLYGON((10 10,14 10,14 13,13 14,10 10))\n";
+    std::fs::write(folder.path().join("two.wkt"), text).unwrap();
+    let (status, _, error) = run(folder.path(), &["cdt", "two.wkt"]);
+    assert!(status == 2 && error.contains("name one of two.wkt#1, two.wkt#2"), "{error}");
+    let (status, out, error) = run(folder.path(), &["cdt", "two.wkt#2", "--json"]);
+    assert_eq!(status, 0, "{error}");
+    let object: Value = serde_json::from_str(&out).unwrap();
+    assert_eq!(object["input"]["sites"], 4, "{object}");
+    let (status, _, error) = run(folder.path(), &["cdt", "two.wkt#3"]);
+    assert!(status == 2 && error.contains("there is two.wkt#1, two.wkt#2"), "{error}");
+    assert_eq!(run(folder.path(), &["cdt", "three.wkt#3"]).0, 2);
+}
+
 #[test]
 fn the_judge_finds_a_planted_fault_and_exits_with_one() {
     let folder = folder();
