@@ -135,12 +135,11 @@ fn exact_parameter(
             let length = t1 - &t0;
             return from_apex(root(&shell(&(&(&length * &length) * &square)), &square, bits));
         }
-        copies.extend(radii.iter().map(|radius| from_apex(root(radius, &square, bits))));
+        if placement.copies_radii {
+            copies.extend(radii.iter().map(|radius| from_apex(root(radius, &square, bits))));
+        }
     }
     let middle = (t0.clone() + &t1).half();
-    if !placement.copies_radii {
-        copies.clear();
-    }
     copies.extend(feet.iter().map(Parameter::exact));
     let off_max = &(t1 - &t0) * &Dyadic::from(placement.off_max());
     let off = |t: &Dyadic| {

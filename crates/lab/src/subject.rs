@@ -115,6 +115,22 @@ impl Subject {
         Self::graph(document)
     }
 
+    /// Makes the edges of the hull segments, of a graph.
+    pub(crate) fn take_hull(&mut self) -> Result<(), Failure> {
+        let Body::Graph(pslg) = &self.body else { return Ok(()) };
+        let (names, mut document) = (pslg.names(), self.document.clone());
+        let bare = bare_hull(pslg);
+        document.segments.extend(bare.iter().map(|ends| ends.map(|v| names[v as usize])));
+        if !document.segment_markers.is_empty() {
+            document.segment_markers.resize(document.segments.len(), 0);
+        }
+        if !bare.is_empty() {
+            document.notes.push(format!("edges of the hull that became segments: {}", bare.len()));
+        }
+        *self = Self::graph(document)?;
+        Ok(())
+    }
+
     fn noded<G>(
         document: Document,
         make: impl FnOnce(&[[f64; 2]], &[[usize; 2]]) -> Result<G, PslgError>,
@@ -174,6 +190,19 @@ impl Subject {
             Body::Crossed(graph) => graph.names(),
         }
     }
+}
+
+/// The edges of the hull that are no segments, as pairs of sites.
+fn bare_hull(pslg: &Pslg) -> Vec<[u32; 2]> {
+    let cdt = delone_cdt::cavity(pslg, &delone_delaunay::Options::default(), &mut ());
+    let mesh = cdt.mesh();
+    if mesh.dimension() != Some(2) {
+        return Vec::new();
+    }
+    let edges = mesh.ghost_cells().flat_map(|cell| mesh.facets(cell));
+    let bare = edges.filter(|&h| !mesh.is_ghost(mesh.twin(h).cell()) && !cdt.is_constrained(h));
+    let site = |v: delone_mesh::VertexId| u32::try_from(v.index()).expect("sites have 32-bit ids");
+    bare.map(|h| [mesh.origin(h), mesh.destination(h)].map(site)).collect()
 }
 
 /// Points and segments of the plane.

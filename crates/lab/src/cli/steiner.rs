@@ -99,7 +99,7 @@ pub(crate) struct Refine {
     /// The longest edge inside: a number, or a file of lines `x y size`, between which sizes grow by no more than the distance
     #[arg(long, value_name = "FIELD")]
     pub(crate) size: Option<String>,
-    /// What is inside; files and pictures then hold the inside alone
+    /// What is inside; files and pictures then hold the inside alone. With `none`, edges of the hull become segments
     #[arg(long, value_enum, default_value_t = Fill::Exterior)]
     pub(crate) fill: Fill,
 }

@@ -23,6 +23,9 @@ pub(crate) fn refine(arguments: &cli::Refine) -> Result<(), Failure> {
     let size = size.as_ref().map(|size| size as &dyn Fn([f64; 2]) -> f64);
     let mut adding = Adding::begin(&arguments.adding, arguments.method.name())?;
     let options = options(arguments, adding.vertices_max(), size);
+    if arguments.fill == cli::Fill::None {
+        adding.subject.take_hull()?;
+    }
     let rule = fill::rule(arguments.fill, &adding.subject);
     let refined = adding
         .build(|subject, watch| refined(steiner::graph(subject), &rule, &options, watch))

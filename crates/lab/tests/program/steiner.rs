@@ -126,6 +126,22 @@ fn triangles_are_smaller_than_doubles_can_tell() {
     assert_eq!(object["rounding_keeps_validity"], false);
 }
 
+/// Points alone: what is inside is the hull, its edges are segments then, and are split where an angle asks for it.
+#[test]
+fn the_hull_is_refined_as_a_whole() {
+    let folder = folder();
+    std::fs::write(folder.path().join("flat.xyz"), "0 0\n10 0\n5 1\n").unwrap();
+    let words = ["refine", "flat.xyz", "--fill", "none", "--json", "--check"];
+    let (status, out, error) = run(folder.path(), &words);
+    assert_eq!(status, 0, "{error}");
+    let object: Value = serde_json::from_str(&out).unwrap();
+    assert_eq!(object["check"]["ok"], true, "{object}");
+    assert_eq!(object["input"]["segments"], 3, "{object}");
+    assert!(object["steiner"].as_u64().unwrap() > 2, "{object}");
+    assert!(object["angle_deg_min_elsewhere"].as_f64().unwrap() > 20.69, "{object}");
+    assert!(error.contains("edges of the hull that became segments: 3"), "{error}");
+}
+
 /// A slot takes as many triangles as its width goes into its length; what a limit stops is told so.
 #[test]
 fn a_narrow_gap_is_told_where_a_limit_stops() {
