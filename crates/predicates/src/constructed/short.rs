@@ -1,16 +1,17 @@
 //! Orientations and lifted determinants of constructed points in integers of fixed widths: what is tried before numbers of any
 //! length.
 //!
-//! **Design.** All numerators are put on one power of two, denominators on their own. Differences to a plain point r, X - r W, are
+//! **Design.** All numerators are put on one power of two, denominators on their own. Differences to a whole point r, one whose denominator is 1, X - r W, are
 //! the rows of the determinants of `exact/formulas.rs`. In a lifted determinant a row is (d W, d^2) over W^2: as (d, d^2 / W) over W, and
 //! times all denominators (d, d^2 times the others' denominators), which takes no products of rows. Where no
-//! point is plain, the orientation in two axes is that of the rows (W, X, Y).
+//! point is whole, the orientation in two axes is that of the rows (W, X, Y).
 //!
-//! **Head-room.** Let plain coordinates be below 2^p, numerators below 2^x and denominators below 2^w in magnitude. Rows are at
+//! **Head-room.** Let coordinates of whole points be below 2^p, numerators below 2^x and denominators below 2^w in magnitude. Rows are at
 //! most 2^b, b = max(x, p + w, w) + 1. The formulas in N limbs ask for b <= 64 N - 2 and for heights below 2^(128 N - 1)
 //! (`exact.rs`): heights are at most 3 * 2^(2b), and less than 2^(2b + 2 + sum of all w) with the denominators.
 //! These bits are counted for each call; `None` if they are too many, or there is no formula.
 
+use num_traits::One;
 use smallvec::SmallVec;
 
 use super::Constructed;
@@ -54,7 +55,7 @@ impl<'a, const D: usize> Short<'a, D> {
     }
 
     fn measure(&mut self) {
-        let (mut plain, mut ratio, mut denominator) = (i64::MIN / 4, i64::MIN / 4, 1);
+        let (mut whole, mut ratio, mut denominator) = (i64::MIN / 4, i64::MIN / 4, 1);
         for vertex in &self.vertices {
             match vertex {
                 Vertex::Plain(point) => {
@@ -62,7 +63,7 @@ impl<'a, const D: usize> Short<'a, D> {
                         if mantissa != 0 {
                             let bits = 64 - i64::from(mantissa.leading_zeros());
                             self.low = self.low.min(exponent.into());
-                            plain = plain.max(i64::from(exponent) + bits);
+                            whole = whole.max(i64::from(exponent) + bits);
                         }
                     }
                 }
@@ -70,9 +71,10 @@ impl<'a, const D: usize> Short<'a, D> {
                     let bits = w.top() + 1 - w.exponent();
                     denominator = denominator.max(bits);
                     self.bits_of_denominators += bits;
+                    let largest = if w.is_one() { &mut whole } else { &mut ratio };
                     for x in x.iter().filter(|x| x.sign() != Sign::Zero) {
                         self.low = self.low.min(x.exponent() - w.exponent());
-                        ratio = ratio.max(x.top() + 1 - w.exponent());
+                        *largest = (*largest).max(x.top() + 1 - w.exponent());
                     }
                 }
             }
@@ -80,7 +82,7 @@ impl<'a, const D: usize> Short<'a, D> {
         if self.low == i64::MAX {
             self.low = 0; // all coordinates are zero
         }
-        let of_rows = ratio.max(plain + denominator) - self.low;
+        let of_rows = ratio.max(whole + denominator) - self.low;
         self.bits = of_rows.max(denominator) + 1;
     }
 
@@ -106,11 +108,15 @@ impl<'a, const D: usize> Short<'a, D> {
         64 * i64::try_from(limbs).expect("few limbs")
     }
 
+    /// The last whole point.
     fn reference(&self) -> Option<usize> {
-        self.vertices.iter().rposition(|vertex| matches!(vertex, Vertex::Plain(_)))
+        self.vertices.iter().rposition(|vertex| match vertex {
+            Vertex::Plain(_) => true,
+            Vertex::Ratio(Homogeneous { w, .. }) => w.is_one(),
+        })
     }
 
-    /// The rows relative to a plain point, and their denominators.
+    /// The rows relative to a whole point, and their denominators.
     fn rows<const N: usize, const R: usize>(&self, place: usize) -> [([Int<N>; D], Int<N>); R] {
         let (origin, _) = self.integers::<N>(place);
         let mut others = (0..self.vertices.len()).filter(|&i| i != place);

@@ -128,3 +128,29 @@ fn fixed_widths_know_what_is_too_wide() {
     }
     assert!(counts[0] > 200 && counts[counts.len() - 1] < counts[0] / 2, "{counts:?}");
 }
+
+/// Points on segments are whole: none of a call needs to be plain.
+#[test]
+fn calls_on_points_of_segments_alone_are_decided() {
+    let mut seed = 7;
+    for round in 0..200 {
+        let bits = [3, 26, 53][round % 3];
+        let point = |_| [0; 2].map(|_| coordinate(&mut seed, bits));
+        let mut kernel = Constructed::new((0..9).map(point).collect::<Vec<_>>());
+        let on: Vec<usize> = (0..4)
+            .map(|a| {
+                let t = coordinate(&mut seed, 20) / 3e6;
+                kernel.push_between([a, 8 - a], t).expect("a point of any segment") as usize
+            })
+            .collect();
+        let call = |vertices: &[usize]| Call {
+            points: vertices.iter().map(|&v| kernel.exact_point(v)).collect(),
+            squares: SmallVec::new(),
+        };
+        let axes = [0, 1];
+        let orient = Short::new(&kernel, on[..3].iter().copied()).orient(&axes);
+        assert_eq!(orient, Some(exactly(&Orient(&axes), &call(&on[..3]))));
+        let lifted = Short::new(&kernel, on.iter().copied()).lifted(&axes);
+        assert_eq!(lifted, Some(exactly(&Lifted(&axes), &call(&on))));
+    }
+}
