@@ -75,9 +75,7 @@ impl<'a> Quality<'a> {
     pub(super) fn flaw(&self, live: &Live, corners: [VertexId; 3]) -> Option<(Flaw, Urgency)> {
         let at = live.positions(corners);
         let [shortest, middle, longest] = sorted_squares(at);
-        // The law of cosines. Nothing cancels, the shortest being at most either: of positive numbers, all is off by a few roundings.
-        let twice_uv = middle + (longest - shortest);
-        let (left, squares) = (twice_uv * twice_uv, 4.0 * middle * longest);
+        let (left, squares) = cosines([shortest, middle, longest]);
         let right = self.cosine_square * squares;
         // Far from the bound, and of edges long enough.
         let is_far = (left - right).abs() > CLEAR * squares && right.is_normal();
@@ -110,6 +108,12 @@ impl<'a> Quality<'a> {
         let is_exact = || corners.iter().all(|&v| live.kernel.is_exact_position(id(v)));
         if is_clear(wide) || is_exact() && is_clear(ROUNDING) {
             return left > right && uv > 0.0;
+        }
+        let squares = near_edges(&live.kernel, corners).map(|edge| dot(edge, edge));
+        let (left, squares) = cosines(sorted(squares));
+        let right = self.cosine_square * squares;
+        if (left - right).abs() > ROUNDING * squares && right.is_normal() {
+            return left > right;
         }
         // Which edge is shortest may be in doubt as well.
         let [p, q, r] = corners;
@@ -191,9 +195,16 @@ impl<'a> Quality<'a> {
 }
 
 /// The edges from each corner to the next, exactly.
-pub(super) fn exact_edges(kernel: &Constructed<2>, corners: [VertexId; 3]) -> [Vector; 3] {
+fn exact_edges(kernel: &Constructed<2>, corners: [VertexId; 3]) -> [Vector; 3] {
     let [a, b, c] = corners.map(|v| kernel.exact(id(v)).x);
     [between(&a, &b), between(&b, &c), between(&c, &a)]
+}
+
+/// The same over about the longest, each to the nearest doubles.
+pub(super) fn near_edges(kernel: &Constructed<2>, corners: [VertexId; 3]) -> [[f64; 2]; 3] {
+    let exact = exact_edges(kernel, corners);
+    let top = exact.as_flattened().iter().filter_map(Dyadic::magnitude).max().unwrap_or(0);
+    exact.map(|edge| edge.map(|x| x.scaled(-top).to_f64()))
 }
 
 /// The area and the square of the longest edge, to the nearest doubles.
@@ -235,11 +246,24 @@ impl Shape {
 /// The squared lengths of a triangle's edges, in increasing order.
 #[inline(always)]
 fn sorted_squares([p, q, r]: [[f64; 2]; 3]) -> [f64; 3] {
+    sorted([square(p, q), square(q, r), square(r, p)])
+}
+
+#[inline(always)]
+fn sorted([first, second, third]: [f64; 3]) -> [f64; 3] {
     let sorted = |a: f64, b: f64| if b < a { (b, a) } else { (a, b) };
-    let (low, high) = sorted(square(p, q), square(q, r));
-    let (low, third) = sorted(low, square(r, p));
+    let (low, high) = sorted(first, second);
+    let (low, third) = sorted(low, third);
     let (middle, high) = sorted(third, high);
     [low, middle, high]
+}
+
+/// `(2 u . v)^2` and `4 |u|^2 |v|^2` of the two longer edges, by the law of cosines, from the squared lengths of all three. Nothing cancels, the
+/// shortest being at most either: of positive numbers, all is off by a few roundings.
+#[inline(always)]
+fn cosines([shortest, middle, longest]: [f64; 3]) -> (f64, f64) {
+    let twice_uv = middle + (longest - shortest);
+    (twice_uv * twice_uv, 4.0 * middle * longest)
 }
 
 /// From which corner, to the next one, the shortest edge of a triangle runs.

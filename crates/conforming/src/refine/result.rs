@@ -2,11 +2,11 @@
 
 use delone_cdt::Cdt;
 use delone_mesh::{CellId, VertexId};
-use delone_predicates::{Constructed, Dyadic, Kernel};
+use delone_predicates::{Constructed, Kernel};
 use delone_sites::Pslg;
 
 use super::Work;
-use super::quality::exact_edges;
+use super::quality::near_edges;
 use crate::Conforming;
 use crate::live::id;
 
@@ -153,9 +153,7 @@ fn edges(kernel: &Constructed<2>, corners: [VertexId; 3]) -> [[f64; 2]; 3] {
     if least > COARSE * far && most < f64::INFINITY && least.is_normal() {
         return near.map(|edge| edge.map(|x| x / most));
     }
-    let exact = exact_edges(kernel, corners);
-    let top = exact.as_flattened().iter().filter_map(Dyadic::magnitude).max().unwrap_or(0);
-    exact.map(|edge| edge.map(|x| x.scaled(-top).to_f64()))
+    near_edges(kernel, corners)
 }
 
 impl Work<'_> {
