@@ -14,12 +14,7 @@
 //! Cuts over J are at most g long. If k is one of them, w <= 2 g / tan alpha; if not, what is over J is the part of one tip, where at the distance d
 //! from it the cut is d k / w or more, so that d <= 2 g / tan alpha.
 //!
-//! **Exceptions** are triangles whose shortest edge joins, at one distance from it, two segments of an apex z ([`super::shells`]). They
-//! might stand in for the triangles above only where a line across the gap meets nothing else. Then there are two cases. (1) The shortest
-//! edge crosses the line. It makes 60 degrees or more with both segments of z, so that its ends are outside of J, if the line
-//! is in the inner nine tenths of J and g is less than a twentieth: those inside are on a or c, along which it would run. Then a or c is between the two segments, nearer than their far ends. (2) All
-//! shortest edges are on one side of the line or the other. Then the corners on one side lead from a to c, each step being along
-//! the two segments of an apex, from segment to segment over sites that they share. A gap is told only if neither can be.
+//! Exceptions at input angles may stand in for the triangles above; where they might, no gap is told (`gap/exceptions.rs`).
 //!
 //! **Cost.** That of the CDT, and O(m) for each of a few candidates, m being the segments.
 //! **Degeneracies.**
@@ -39,15 +34,18 @@ use crate::apexes::Apexes;
 use crate::live::{Live, id};
 use crate::ratio::quotient;
 use crate::vector::{between, cross, dot, square};
+use exceptions::Clusters;
+
+mod exceptions;
 
 /// The most candidates that are looked at, from those that ask for most triangles on.
 const CANDIDATES_MAX: usize = 256;
 
+/// The least length of a gap over its width, which the proof asks for.
+const RATIO_MIN: f64 = 20.0;
+
 /// Of a gap, the part that is counted on: the inner nine tenths, less what doubles are off by.
 const COUNTED: f64 = 0.899_999;
-
-/// A cosine a little below that of 60 degrees.
-const COSINE: f64 = 0.499_999;
 
 /// Two subsegments that run along each other with nothing between them: see the module's text.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -122,7 +120,7 @@ fn across(live: &Live, h: HalfEdge, tangent: f64) -> impl Iterator<Item = Gap> +
     })
 }
 
-/// The gap over a base from a corner `u` to one that the other segment's first end, which faces the base, is joined with.
+/// The gap between the base from `u` to `x` and another segment, the first end of which faces the base.
 fn gap(
     live: &Live,
     [u, x]: [VertexId; 2],
@@ -158,92 +156,12 @@ fn gap(
     let ratio = quotient(&(&faced * &span), &most, 53).to_f64(); // of length to width
     let length = live.length(subsegments[0])? * quotient(&faced, &whole, 53).to_f64();
     let [a, b] = subsegments;
-    (ratio > 20.0).then(|| Gap {
+    (ratio > RATIO_MIN).then(|| Gap {
         subsegments: [a.min(b), a.max(b)],
         length,
         width: length / ratio,
         triangles_min: COUNTED * ratio * tangent / 2.0,
     })
-}
-
-/// The segments at apexes.
-struct Clusters<'a> {
-    live: &'a Live,
-    apexes: Apexes,
-    /// By site, the other ends of its segments.
-    spokes: Vec<Vec<u32>>,
-    /// By site: the cluster of the segments there that end in an apex, each cluster being those that hang together.
-    of_site: Vec<Option<u32>>,
-}
-
-impl<'a> Clusters<'a> {
-    fn new(live: &'a Live, apexes: Apexes) -> Self {
-        let mut spokes = vec![Vec::new(); live.sites];
-        for &[a, b] in &live.segments {
-            spokes[a as usize].push(b);
-            spokes[b as usize].push(a);
-        }
-        let is_apex = |v: u32| apexes.bits(VertexId::new(v as usize)).is_some();
-        let mut of_site: Vec<Option<u32>> = vec![None; live.sites];
-        let mut stack = Vec::new();
-        for first in 0..id(VertexId::new(live.sites)) {
-            if is_apex(first) && of_site[first as usize].is_none() {
-                of_site[first as usize] = Some(first);
-                stack.push(first);
-            }
-            while let Some(v) = stack.pop() {
-                for &w in &spokes[v as usize] {
-                    let hangs = is_apex(v) || is_apex(w);
-                    if hangs && of_site[w as usize].replace(first).is_none() {
-                        stack.push(w);
-                    }
-                }
-            }
-        }
-        Self { live, apexes, spokes, of_site }
-    }
-
-    /// Whether no exceptions may stand in for the triangles between two segments.
-    fn leave_alone(&self, subsegments: [u32; 2]) -> bool {
-        let [a, c] = subsegments.map(|s| self.live.segments[s as usize]);
-        let hang_together = a.iter().any(|&v| {
-            let of_v = self.of_site[v as usize];
-            of_v.is_some() && c.iter().any(|&w| self.of_site[w as usize] == of_v)
-        });
-        !hang_together && [a, c].iter().all(|segment| !self.encloses(segment))
-    }
-
-    /// Whether a segment may be between two segments that meet at less than 60 degrees in an apex that is not its own end: what joins segments
-    /// on both sides of one that comes from the apex itself does not run along that.
-    fn encloses(&self, ends: &[u32; 2]) -> bool {
-        let [p, q] = ends.map(|v| self.live.kernel.position(v));
-        let middle = [p[0] + 0.5 * (q[0] - p[0]), p[1] + 0.5 * (q[1] - p[1])];
-        (0u32..).zip(&self.spokes).any(|(z, spokes)| {
-            self.apexes.bits(VertexId::new(z as usize)).is_some()
-                && !ends.contains(&z)
-                && is_between(self.live, z, spokes, middle)
-        })
-    }
-}
-
-/// Whether a place has segments of a site on both sides, at less than 60 degrees, that reach as far: rather yes than no.
-fn is_between(live: &Live, z: u32, spokes: &[u32], place: [f64; 2]) -> bool {
-    let at = live.kernel.position(z);
-    let from = |p: [f64; 2]| [p[0] - at[0], p[1] - at[1]];
-    let d = from(place);
-    let (mut left, mut right, mut reach) = (false, false, 0.0f64);
-    for &end in spokes {
-        let s = from(live.kernel.position(end));
-        let (dot, cross) = (d[0] * s[0] + d[1] * s[1], d[0] * s[1] - d[1] * s[0]);
-        let (to_d, to_s) = (d[0].hypot(d[1]), s[0].hypot(s[1]));
-        if dot >= COSINE * to_d * to_s {
-            let slack = 1e-9 * to_d * to_s;
-            left |= cross >= -slack;
-            right |= cross <= slack;
-            reach = reach.max(to_s / to_d);
-        }
-    }
-    left && right && reach >= 1.0 - 1e-9
 }
 
 #[cfg(test)]

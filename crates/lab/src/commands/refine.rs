@@ -34,7 +34,7 @@ pub(crate) fn refine(arguments: &cli::Refine) -> Result<(), Failure> {
     let pslg = adding.pslg();
     let result = steiner::Result { subject, pslg, conforming, inside: Some(&refined) };
     let mut keys = keys(&refined, arguments.adding.report.voice.json);
-    let gap = reason_to_stop(&result, &rule, &options);
+    let gap = reason_to_stop(&result, &refined, &rule, &options);
     if let Some(gap) = &gap {
         keys.insert("gap".to_owned(), json!(gap));
     }
@@ -78,17 +78,18 @@ impl std::fmt::Display for Reasoned {
 /// What a limit has stopped, if it asks for more triangles than there are.
 fn reason_to_stop(
     result: &steiner::Result<'_>,
+    refined: &Refined,
     rule: &Fill,
     options: &RefineOptions<'_>,
 ) -> Option<Reasoned> {
-    if result.conforming.is_complete() {
+    if refined.is_complete() {
         return None;
     }
     let gap = narrowest_gap(result.pslg, rule, options.angle_deg_min).ok()??;
     let first = result.first_segments();
     let Gap { subsegments, length, width, triangles_min } = gap;
     let segments = subsegments.map(|s| first[s as usize]);
-    let is_more = triangles_min > result.conforming.cells().count() as f64;
+    let is_more = triangles_min > refined.cells().count() as f64;
     is_more.then_some(Reasoned { segments, length, width, triangles_min })
 }
 

@@ -59,22 +59,15 @@ fn a_wedge_is_no_gap() {
 
 #[test]
 fn gaps_count_where_they_are_inside() {
-    let points = [[0.0, 0.0], [9.0, 0.0], [9.0, 9.0], [0.0, 9.0]];
-    let both = |off: f64| {
-        let second = points.map(|[x, y]| [x + off, y]);
-        let all: Vec<[f64; 2]> = points.into_iter().chain(second).collect();
+    let square = [[0.0, 0.0], [9.0, 0.0], [9.0, 9.0], [0.0, 9.0]];
+    let gap_beside = |second: [[f64; 2]; 4]| {
+        let all: Vec<[f64; 2]> = square.into_iter().chain(second).collect();
         let ring = |o: usize| (0..4).map(move |i| [o + i, o + (i + 1) % 4]);
-        pslg(&all, &ring(0).chain(ring(4)).collect::<Vec<_>>())
+        let graph = pslg(&all, &ring(0).chain(ring(4)).collect::<Vec<_>>());
+        narrowest_gap(&graph, &Fill::Exterior, 20.7).unwrap()
     };
-    let gap = |graph: &Pslg, fill: &Fill| narrowest_gap(graph, fill, 20.7).unwrap();
-    let beside = both(9.000_001);
-    assert_eq!(gap(&beside, &Fill::Exterior), None, "between two squares is outside");
-    // A square in a square, as far from its side: the rim is inside but for those who want holes.
-    let inner = [[1e-6, 1.0], [3.0, 1.0], [3.0, 8.0], [1e-6, 8.0]];
-    let all: Vec<[f64; 2]> = points.into_iter().chain(inner).collect();
-    let ring = |o: usize| (0..4).map(move |i| [o + i, o + (i + 1) % 4]);
-    let nested = pslg(&all, &ring(0).chain(ring(4)).collect::<Vec<_>>());
-    let found = gap(&nested, &Fill::Exterior).unwrap();
+    assert_eq!(gap_beside(square.map(|[x, y]| [x + 9.000_001, y])), None, "outside");
+    let found = gap_beside([[1e-6, 1.0], [3.0, 1.0], [3.0, 8.0], [1e-6, 8.0]]).unwrap();
     assert!((found.length - 7.0).abs() < 1e-9 && (found.width - 1e-6).abs() < 1e-12, "{found:?}");
 }
 
